@@ -1,0 +1,128 @@
+//! Differentials of a ring, given by the images of its free symbols.
+
+use std::collections::BTreeMap;
+
+use super::arithmetic::{Arithmetic, Division};
+use super::error::AlgebraError;
+use super::fraction::Fraction;
+use super::generator::Generator;
+use super::polynomial::Polynomial;
+use super::ring::Ring;
+use super::symbol::Symbol;
+
+/// What a differential does to the free symbols; it carries over to all others by the rules of
+/// [`Generator`].
+#[derive(Clone, Debug)]
+pub enum Differential {
+    /// d/dt: every coordinate becomes its next time derivative, constants become 0.
+    Time,
+    /// The given symbols have the given images, all other free symbols 0. With the image 1 for one
+    /// symbol this is the partial derivative with respect to it.
+    Images(BTreeMap<Symbol, Fraction>),
+}
+
+impl Differential {
+    /// ∂/∂q.
+    pub fn partial(symbol: Symbol, ring: &Ring) -> Self {
+        Differential::Images(BTreeMap::from([(symbol, ring.one())]))
+    }
+}
+
+impl Ring {
+    /// The image of an element under a differential.
+    ///
+    /// D(N/D) = (Σ_g (∂N/∂g · D) dg − Σ_g (∂D/∂g · N) dg)/D², with dg the image of each symbol g.
+    ///
+    /// Complexity: for each symbol of the element, one pass over its terms and one product.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::Exhausted`], [`AlgebraError::TooManySymbols`]
+    pub fn differentiate(
+        &mut self,
+        element: &Fraction,
+        differential: &Differential,
+    ) -> Result<Fraction, AlgebraError> {
+        let numerator = self.differentiate_polynomial(element.numerator(), differential)?;
+        let denominator = self.differentiate_polynomial(element.denominator(), differential)?;
+        let below = Fraction::from(element.denominator().clone());
+        let change = self.quotient(&numerator, &below)?;
+        if denominator.is_zero() {
+            return Ok(change);
+        }
+        let relative = self.quotient(&denominator, &below)?;
+        self.difference(&change, &self.product(element, &relative)?)
+    }
+
+    fn differentiate_polynomial(
+        &mut self,
+        polynomial: &Polynomial,
+        differential: &Differential,
+    ) -> Result<Fraction, AlgebraError> {
+        let mut sum = self.zero();
+        for symbol in polynomial.symbols() {
+            let image = self.image(symbol, differential)?;
+            if image.is_zero() {
+                continue;
+            }
+            let slope = self.fraction(&polynomial.derivative(symbol), &Polynomial::one())?;
+            sum = self.sum(&sum, &self.product(&slope, &image)?)?;
+        }
+        Ok(sum)
+    }
+
+    /// dg of one symbol g.
+    fn image(
+        &mut self,
+        symbol: Symbol,
+        differential: &Differential,
+    ) -> Result<Fraction, AlgebraError> {
+        if let Differential::Images(images) = differential
+            && let Some(image) = images.get(&symbol)
+        {
+            return Ok(image.clone());
+        }
+        match self.generator(symbol).clone() {
+            Generator::Constant { .. } | Generator::Angle { .. } | Generator::ImaginaryUnit => {
+                Ok(self.zero())
+            }
+            Generator::Coordinate { name, order, .. } => match differential {
+                Differential::Time => {
+                    let next = Generator::Coordinate { name, order: order + 1, angular: false };
+                    let next = self.symbol(next)?;
+                    Ok(self.element(next))
+                }
+                Differential::Images(_) => Ok(self.zero()),
+            },
+            Generator::Cosine { angle } => {
+                let (_, sine) = self.cosine_and_sine(&angle)?;
+                let turn = self.differentiate(&self.angle_element(&angle), differential)?;
+                self.product(&self.negative(&sine), &turn)
+            }
+            Generator::Sine { angle } => {
+                let (cosine, _) = self.cosine_and_sine(&angle)?;
+                let turn = self.differentiate(&self.angle_element(&angle), differential)?;
+                self.product(&cosine, &turn)
+            }
+            Generator::Root { radicand } => {
+                let change = self.differentiate_polynomial(&radicand, differential)?;
+                let twice = self.sum(&self.element(symbol), &self.element(symbol))?;
+                self.quotient(&change, &twice)
+            }
+            Generator::Direction { x, y, length } => {
+                let (dx, dy) =
+                    (self.differentiate(&x, differential)?, self.differentiate(&y, differential)?);
+                let across = self.difference(&self.product(&x, &dy)?, &self.product(&y, &dx)?)?;
+                self.quotient(&across, &self.product(&length, &length)?)
+            }
+            Generator::FunctionValue { name, order, argument } => {
+                let change = self.differentiate(&argument, differential)?;
+                if change.is_zero() {
+                    return Ok(change);
+                }
+                let slope = self.function_value(&name, order + 1, &argument)?;
+                self.product(&slope, &change)
+            }
+        }
+    }
+}

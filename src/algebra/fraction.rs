@@ -1,0 +1,335 @@
+//! Quotients of polynomials.
+
+use dashu_base::UnsignedAbs;
+
+use super::budget::{Budget, Exhausted};
+use super::error::AlgebraError;
+use super::gcd::quotient;
+use super::number::{Integer, Rational};
+use super::polynomial::Polynomial;
+use super::symbol::Symbol;
+
+/// A quotient of two polynomials, always in lowest terms.
+///
+/// Equal quotients have equal representations, so `==` decides equality.
+///
+/// Every operation takes time for greatest common divisors, which are kept
+/// small: of the denominators first, and only across the operands, as each of
+/// them is in lowest terms already. Where both denominators are 1 there is
+/// nothing to do.
+///
+/// ```
+/// use sextic::algebra::{budget::Budget, fraction::Fraction, symbol::Symbol};
+///
+/// let budget = Budget::new(10_000);
+/// let a = Fraction::symbol(Symbol::new(0));
+/// let b = Fraction::symbol(Symbol::new(1));
+/// let difference = a.power(2, &budget)?.difference(&b.power(2, &budget)?, &budget)?;
+/// let quotient = difference.quotient(&a.sum(&b, &budget)?, &budget)?;
+/// assert_eq!(quotient, a.difference(&b, &budget)?);
+/// # Ok::<(), sextic::algebra::error::AlgebraError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Fraction {
+    numerator: Polynomial,
+    /// With positive leading coefficient, and without a common divisor with
+    /// the numerator; 1 where the numerator is zero.
+    denominator: Polynomial,
+}
+
+impl Fraction {
+    /// `numerator / denominator` in lowest terms.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::DivisionByZero`] if the denominator is zero, and
+    /// [`AlgebraError::Exhausted`] if `budget` does not allow the steps of the
+    /// gcd.
+    pub fn new(
+        numerator: Polynomial,
+        denominator: Polynomial,
+        budget: &Budget,
+    ) -> Result<Self, AlgebraError> {
+        if denominator.is_zero() {
+            return Err(AlgebraError::DivisionByZero);
+        }
+        let (numerator, denominator) = without_common(&numerator, &denominator, budget)?;
+        Ok(Fraction::from_coprime(numerator, denominator))
+    }
+
+    /// The fraction without symbols of this value.
+    pub fn constant(value: Rational) -> Self {
+        Fraction::from(value)
+    }
+
+    /// The fraction that is just this symbol.
+    pub fn symbol(symbol: Symbol) -> Self {
+        Fraction::from(Polynomial::symbol(symbol))
+    }
+
+    /// Takes over polynomials without common divisor, of which the second one
+    /// is not zero.
+    fn from_coprime(numerator: Polynomial, denominator: Polynomial) -> Self {
+        let fraction = if numerator.is_zero() {
+            Fraction::from(numerator)
+        } else if denominator.is_negative() {
+            Fraction {
+                numerator: -&numerator,
+                denominator: -&denominator,
+            }
+        } else {
+            Fraction {
+                numerator,
+                denominator,
+            }
+        };
+        debug_assert!(fraction.is_valid());
+        fraction
+    }
+
+    /// The part of the invariant that is cheap to check: all but the gcd of
+    /// polynomials that are not constant.
+    fn is_valid(&self) -> bool {
+        let content = Polynomial::constant(self.numerator.content());
+        let cofactor = Polynomial::constant(self.denominator.content());
+        let coprime = content.gcd(&cofactor, &Budget::unlimited());
+        let monomials = self
+            .numerator
+            .monomial_content()
+            .gcd(&self.denominator.monomial_content());
+        !self.denominator.is_zero()
+            && !self.denominator.is_negative()
+            && coprime.is_ok_and(|gcd| gcd.is_one())
+            && (self.is_zero() || monomials.is_one())
+    }
+
+    /// The numerator in lowest terms, which carries the sign.
+    pub fn numerator(&self) -> &Polynomial {
+        &self.numerator
+    }
+
+    /// The denominator in lowest terms; its leading coefficient is positive.
+    pub fn denominator(&self) -> &Polynomial {
+        &self.denominator
+    }
+
+    /// Whether this is zero.
+    pub fn is_zero(&self) -> bool {
+        self.numerator.is_zero()
+    }
+
+    /// The value of a fraction without symbols, `None` for every other one.
+    pub fn as_constant(&self) -> Option<Rational> {
+        let (numerator, denominator) = (
+            self.numerator.as_constant()?,
+            self.denominator.as_constant()?,
+        );
+        // A denominator is not zero.
+        Some(Rational::from_parts(numerator, denominator.unsigned_abs()))
+    }
+
+    /// `self + other`.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::Exhausted`] if `budget` does not allow the steps.
+    pub fn sum(&self, other: &Self, budget: &Budget) -> Result<Self, AlgebraError> {
+        self.combine(other, |left, right| left + right, budget)
+    }
+
+    /// `self - other`.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::Exhausted`] if `budget` does not allow the steps.
+    pub fn difference(&self, other: &Self, budget: &Budget) -> Result<Self, AlgebraError> {
+        self.combine(other, |left, right| left - right, budget)
+    }
+
+    /// `self · other`.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::Exhausted`] if `budget` does not allow the steps.
+    pub fn product(&self, other: &Self, budget: &Budget) -> Result<Self, AlgebraError> {
+        let (left, right) = (self, other);
+        // What is common can only be so across: each operand has none itself.
+        let (n, e) = without_common(&left.numerator, &right.denominator, budget)?;
+        let (m, d) = without_common(&right.numerator, &left.denominator, budget)?;
+        let numerator = n.multiply(&m, budget)?;
+        let denominator = d.multiply(&e, budget)?;
+        Ok(Fraction::from_coprime(numerator, denominator))
+    }
+
+    /// `self / other`.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::DivisionByZero`] if `other` is zero, and
+    /// [`AlgebraError::Exhausted`] if `budget` does not allow the steps.
+    pub fn quotient(&self, other: &Self, budget: &Budget) -> Result<Self, AlgebraError> {
+        self.product(&other.reciprocal()?, budget)
+    }
+
+    /// `1 / self`.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::DivisionByZero`] if `self` is zero.
+    pub fn reciprocal(&self) -> Result<Self, AlgebraError> {
+        if self.is_zero() {
+            return Err(AlgebraError::DivisionByZero);
+        }
+        Ok(Fraction::from_coprime(
+            self.denominator.clone(),
+            self.numerator.clone(),
+        ))
+    }
+
+    /// `-self`.
+    pub fn negative(&self) -> Self {
+        Fraction {
+            numerator: -&self.numerator,
+            denominator: self.denominator.clone(),
+        }
+    }
+
+    /// `self^exponent`; `0^0` is 1.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::DivisionByZero`] for a negative power of zero, and
+    /// [`AlgebraError::Exhausted`] if `budget` does not allow the steps.
+    pub fn power(&self, exponent: i32, budget: &Budget) -> Result<Self, AlgebraError> {
+        let base = if exponent < 0 {
+            self.reciprocal()?
+        } else {
+            self.clone()
+        };
+        // Powers of polynomials without common divisor have none either.
+        let numerator = base.numerator.power(exponent.unsigned_abs(), budget)?;
+        let denominator = base.denominator.power(exponent.unsigned_abs(), budget)?;
+        Ok(Fraction::from_coprime(numerator, denominator))
+    }
+
+    /// The sum or the difference, as `operation` has it for polynomials.
+    ///
+    /// With `g` the gcd of the denominators `g·d` and `g·e`, the result is
+    /// `(n·e ± m·d) / (g·d·e)`, and a common divisor can only be one of `g`.
+    fn combine(
+        &self,
+        other: &Self,
+        operation: impl Fn(&Polynomial, &Polynomial) -> Polynomial,
+        budget: &Budget,
+    ) -> Result<Self, AlgebraError> {
+        let (left, right) = (self, other);
+        if left.denominator == right.denominator {
+            let numerator = operation(&left.numerator, &right.numerator);
+            let (numerator, denominator) = without_common(&numerator, &left.denominator, budget)?;
+            return Ok(Fraction::from_coprime(numerator, denominator));
+        }
+        let common = left.denominator.gcd(&right.denominator, budget)?;
+        let d = quotient(&left.denominator, &common, budget)?;
+        let e = quotient(&right.denominator, &common, budget)?;
+        let numerator = operation(
+            &left.numerator.multiply(&e, budget)?,
+            &right.numerator.multiply(&d, budget)?,
+        );
+        let (numerator, common) = without_common(&numerator, &common, budget)?;
+        let denominator = common.multiply(&d, budget)?.multiply(&e, budget)?;
+        Ok(Fraction::from_coprime(numerator, denominator))
+    }
+}
+
+/// Two polynomials divided by their gcd; the second one is not zero.
+fn without_common(
+    left: &Polynomial,
+    right: &Polynomial,
+    budget: &Budget,
+) -> Result<(Polynomial, Polynomial), Exhausted> {
+    if left.is_one() || right.is_one() {
+        return Ok((left.clone(), right.clone()));
+    }
+    let common = left.gcd(right, budget)?;
+    if common.is_one() {
+        return Ok((left.clone(), right.clone()));
+    }
+    Ok((
+        quotient(left, &common, budget)?,
+        quotient(right, &common, budget)?,
+    ))
+}
+
+impl From<Polynomial> for Fraction {
+    fn from(polynomial: Polynomial) -> Self {
+        Fraction {
+            numerator: polynomial,
+            denominator: Polynomial::one(),
+        }
+    }
+}
+
+impl From<Rational> for Fraction {
+    fn from(value: Rational) -> Self {
+        let (numerator, denominator) = value.into_parts();
+        Fraction {
+            numerator: Polynomial::constant(numerator),
+            denominator: Polynomial::constant(Integer::from(denominator)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::polynomial::notation::polynomial;
+    use super::*;
+
+    fn fraction(numerator: &str, denominator: &str) -> Result<Fraction, AlgebraError> {
+        Fraction::new(
+            polynomial(numerator),
+            polynomial(denominator),
+            &Budget::new(100_000),
+        )
+    }
+
+    #[test]
+    fn fractions_are_reduced() {
+        for (n, d, numerator, denominator) in [
+            ("0", "-a", "0", "1"),
+            ("4*a", "-6*a*b", "-2", "3*b"),
+            ("a^2 - b^2", "b - a", "-a - b", "1"),
+            ("a", "b", "a", "b"),
+        ] {
+            let fraction = fraction(n, d).unwrap();
+            assert_eq!(*fraction.numerator(), polynomial(numerator));
+            assert_eq!(*fraction.denominator(), polynomial(denominator));
+        }
+    }
+
+    #[test]
+    fn there_is_no_division_by_zero() {
+        let budget = Budget::unlimited();
+        let (zero, a) = (fraction("0", "a").unwrap(), fraction("a", "1").unwrap());
+        let refused = Err(AlgebraError::DivisionByZero);
+        assert_eq!(fraction("a", "0"), refused);
+        assert_eq!(a.quotient(&zero, &budget), refused);
+        assert_eq!(zero.power(-1, &budget), refused);
+        assert_eq!(zero.reciprocal(), refused);
+        assert_eq!(
+            zero.power(0, &budget),
+            Ok(Fraction::from(Polynomial::one()))
+        );
+    }
+
+    #[test]
+    fn constants_go_in_and_come_out() {
+        let value = Rational::from_parts(Integer::from(-6), 4_u8.into());
+        assert_eq!(
+            Fraction::constant(value.clone()).as_constant(),
+            Some(value.clone())
+        );
+        assert_eq!(fraction("-3*a", "2*a").unwrap(), Fraction::from(value));
+        assert_eq!(fraction("a", "2").unwrap().as_constant(), None);
+        assert_eq!(fraction("2", "a").unwrap().as_constant(), None);
+    }
+}

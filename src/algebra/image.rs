@@ -1,0 +1,204 @@
+//! Images of polynomials modulo a prime, to learn about a gcd cheaply.
+//!
+//! Fix a symbol `x`, put numbers modulo a prime `p` for all other symbols, and
+//! `f` becomes a polynomial in `x` alone. The image of `gcd(f, g)` divides the
+//! gcd of the images. If the leading coefficient of `f` or of `g` in `x` does
+//! not vanish, the image of the gcd has the degree of the gcd itself. Then
+//! the degree of the gcd of the images is an upper bound on it that is certain,
+//! and is nearly always equal to it.
+
+use super::budget::{Budget, Exhausted};
+use super::degrees::Degrees;
+use super::number::Integer;
+use super::polynomial::Polynomial;
+use super::symbol::Symbol;
+
+/// The prime 2^61 - 1.
+const PRIME: u64 = (1 << 61) - 1;
+
+/// An upper bound on the degree of `gcd(left, right)` in every symbol, for
+/// polynomials that are not zero.
+///
+/// Takes as many steps as there are powers of symbols in both, and for each
+/// symbol that they share the product of the two degrees.
+pub(super) fn degrees_of_gcd(
+    left: &Polynomial,
+    right: &Polynomial,
+    budget: &Budget,
+) -> Result<Degrees, Exhausted> {
+    let (left, right) = (Image::new(left, budget)?, Image::new(right, budget)?);
+    let mut bounds = Degrees::default();
+    for (symbol, left_degree) in left.degrees.iter() {
+        let right_degree = right.degrees.get(symbol);
+        if right_degree == 0 {
+            continue;
+        }
+        let (first, second) = (left.along(symbol), right.along(symbol));
+        let certain = first.len() as u64 > u64::from(left_degree)
+            || second.len() as u64 > u64::from(right_degree);
+        let least = left_degree.min(right_degree);
+        *bounds.entry(symbol) = if certain {
+            budget.spend(u64::from(left_degree) * u64::from(right_degree))?;
+            degree_of_univariate_gcd(first, second).min(least)
+        } else {
+            least
+        };
+    }
+    Ok(bounds)
+}
+
+/// The values of the terms of a polynomial at one point.
+struct Image<'a> {
+    polynomial: &'a Polynomial,
+    degrees: Degrees,
+    values: Vec<u64>,
+}
+
+impl<'a> Image<'a> {
+    fn new(polynomial: &'a Polynomial, budget: &Budget) -> Result<Self, Exhausted> {
+        let degrees = Degrees::of(polynomial);
+        let mut values = Vec::with_capacity(polynomial.len());
+        for (monomial, coefficient) in polynomial.terms() {
+            let mut value = residue(coefficient);
+            let mut factors = 1;
+            for (symbol, exponent) in monomial.factors() {
+                value = times(value, power(coordinate(symbol), exponent));
+                factors += 1;
+            }
+            budget.spend(factors)?;
+            values.push(value);
+        }
+        Ok(Image {
+            polynomial,
+            degrees,
+            values,
+        })
+    }
+
+    /// The coefficients of the image along `symbol`, from the lowest, the last
+    /// of them not zero.
+    ///
+    /// The symbol `x` stands for `x₀·y` here, with its coordinate `x₀` and a new
+    /// symbol `y`, which has no influence on the degree of a gcd.
+    fn along(&self, symbol: Symbol) -> Vec<u64> {
+        let mut coefficients = vec![0; self.degrees.get(symbol) as usize + 1];
+        for ((monomial, _), &value) in self.polynomial.terms().iter().zip(&self.values) {
+            let sum = &mut coefficients[monomial.exponent(symbol) as usize];
+            *sum = reduce(*sum + value);
+        }
+        trim(coefficients)
+    }
+}
+
+/// A coordinate of the point for every symbol, not zero: an arbitrary but
+/// fixed one, from the mixing function of SplitMix64.
+fn coordinate(symbol: Symbol) -> u64 {
+    let mut mixed = (symbol.index() as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    mixed = (mixed ^ mixed >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+    mixed % (PRIME - 1) + 1
+}
+
+/// The degree of the gcd of two polynomials in one symbol modulo the prime,
+/// given by their coefficients from the lowest, the last of them not zero.
+fn degree_of_univariate_gcd(mut left: Vec<u64>, mut right: Vec<u64>) -> u32 {
+    while let Some(&leading) = right.last() {
+        let inverse = power(leading, PRIME - 2);
+        while left.len() >= right.len() {
+            let Some(top) = left.pop() else { break };
+            let factor = PRIME - times(top, inverse);
+            let low = left.len() + 1 - right.len();
+            for (value, partner) in left[low..].iter_mut().zip(&right) {
+                *value = reduce(*value + times(factor, *partner));
+            }
+        }
+        left = trim(left);
+        (left, right) = (right, left);
+    }
+    left.len().saturating_sub(1) as u32
+}
+
+/// Takes leading zeros away.
+fn trim(mut coefficients: Vec<u64>) -> Vec<u64> {
+    let length = coefficients
+        .iter()
+        .rposition(|&value| value != 0)
+        .map_or(0, |top| top + 1);
+    coefficients.truncate(length);
+    coefficients
+}
+
+fn residue(integer: &Integer) -> u64 {
+    (integer % PRIME as i64).rem_euclid(PRIME as i64) as u64
+}
+
+/// Reduces a number below twice the prime.
+fn reduce(value: u64) -> u64 {
+    value.checked_sub(PRIME).unwrap_or(value)
+}
+
+fn times(left: u64, right: u64) -> u64 {
+    let product = u128::from(left) * u128::from(right);
+    // 2^61 is 1 modulo the prime.
+    reduce((product as u64 & PRIME) + (product >> 61) as u64)
+}
+
+fn power(base: u64, exponent: impl Into<u64>) -> u64 {
+    let mut exponent = exponent.into();
+    let (mut power, mut square) = (1, base);
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            power = times(power, square);
+        }
+        square = times(square, square);
+        exponent >>= 1;
+    }
+    power
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::polynomial::notation::{polynomial, symbol};
+    use super::*;
+
+    #[test]
+    fn the_field_is_a_field() {
+        for value in [1, 2, 3, PRIME / 2, PRIME - 2, PRIME - 1] {
+            assert_eq!(times(value, power(value, PRIME - 2)), 1);
+            assert_eq!(reduce(value + (PRIME - value)), 0);
+        }
+        assert_eq!(residue(&Integer::from(-1)), PRIME - 1);
+        assert_eq!(residue(&(Integer::ONE << 61)), 1);
+        assert_eq!(residue(&-(Integer::ONE << 122)), PRIME - 1);
+    }
+
+    #[test]
+    fn the_bounds_are_the_degrees_of_the_gcd() {
+        for (left, right, expected) in [
+            ("a^2 - b^2", "a + b", [1, 1, 0]),
+            ("a^2 + b^2", "a + b", [0, 0, 0]),
+            ("a*c + b*c", "a*c^2 + b*c^2", [1, 1, 1]),
+            ("a^4 - 1", "a^6 - 1", [2, 0, 0]),
+        ] {
+            let (left, right) = (polynomial(left), polynomial(right));
+            let bounds = degrees_of_gcd(&left, &right, &Budget::new(1_000)).unwrap();
+            assert_eq!(
+                ['a', 'b', 'c'].map(|letter| bounds.get(symbol(letter))),
+                expected
+            );
+        }
+    }
+
+    #[test]
+    fn vanishing_leading_coefficients_leave_the_trivial_bound() {
+        // Both leading coefficients are multiples of the prime.
+        let prime = Polynomial::constant(Integer::from(PRIME));
+        let a = polynomial("a");
+        let budget = Budget::unlimited();
+        let left = &a.multiply(&prime, &budget).unwrap() + &Polynomial::one();
+        let right = &left + &Polynomial::one();
+        let bounds = degrees_of_gcd(&left, &right, &budget).unwrap();
+        assert_eq!(bounds.get(symbol('a')), 1);
+        assert!(left.gcd(&right, &budget).unwrap().is_one());
+    }
+}

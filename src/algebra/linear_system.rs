@@ -1,0 +1,101 @@
+//! Linear systems and null spaces.
+
+use super::arithmetic::{Arithmetic, Division};
+use super::determinant::{adjugate, determinant};
+use super::matrix::Matrix;
+
+/// The numerators Nᵢ and the determinant Δ of a square system A·x = b: Δ·xᵢ = Nᵢ (Cramer).
+#[derive(Clone, Debug)]
+pub struct Solution<T> {
+    /// N, a column.
+    pub numerators: Matrix<T>,
+    /// Δ = |A|; the system is singular where it vanishes.
+    pub determinant: T,
+}
+
+/// Solves A·x = b without any division: N = adj A·b and Δ = |A|.
+///
+/// Complexity: n² determinants of n − 1 rows for n unknowns.
+///
+/// # Errors
+///
+/// Those of the arithmetic; a singular system is no error here, its Δ is 0.
+pub fn solve<A: Arithmetic>(
+    matrix: &Matrix<A::Element>,
+    right: &Matrix<A::Element>,
+    arithmetic: &A,
+) -> Result<Solution<A::Element>, A::Error> {
+    Ok(Solution {
+        numerators: adjugate(matrix, arithmetic)?.product(right, arithmetic)?,
+        determinant: determinant(matrix, arithmetic)?,
+    })
+}
+
+/// A basis of {x : A·x = 0}, each vector a column with a 1 at a free place, zeros at the others.
+///
+/// The entries the elimination divided by are returned too: the basis is right where none of them
+/// vanishes.
+///
+/// Complexity: rows·columns·rank operations on entries.
+///
+/// # Errors
+///
+/// Those of the arithmetic.
+pub fn null_space<A: Division>(
+    matrix: &Matrix<A::Element>,
+    arithmetic: &A,
+) -> Result<NullSpace<A::Element>, A::Error> {
+    let (row_count, column_count) = matrix.shape();
+    let mut rows: Vec<Vec<A::Element>> = (0..row_count)
+        .map(|row| (0..column_count).map(|column| matrix.at(row, column).clone()).collect())
+        .collect();
+    let mut pivot_columns = Vec::new();
+    let mut pivots = Vec::new();
+    for column in 0..column_count {
+        let rank = pivot_columns.len();
+        let found = (rank..row_count).find(|&row| !arithmetic.is_zero(&rows[row][column]));
+        let Some(pivot_row) = found else { continue };
+        rows.swap(rank, pivot_row);
+        let pivot = rows[rank][column].clone();
+        for entry in &mut rows[rank] {
+            *entry = arithmetic.quotient(entry, &pivot)?;
+        }
+        let normalised = rows[rank].clone();
+        for (index, row) in rows.iter_mut().enumerate() {
+            if index == rank || arithmetic.is_zero(&row[column]) {
+                continue;
+            }
+            let factor = row[column].clone();
+            for (entry, pivot_entry) in row.iter_mut().zip(&normalised) {
+                let term = arithmetic.product(&factor, pivot_entry)?;
+                *entry = arithmetic.difference(entry, &term)?;
+            }
+        }
+        pivot_columns.push(column);
+        pivots.push(pivot);
+    }
+    let free = (0..column_count).filter(|column| !pivot_columns.contains(column));
+    let basis = free
+        .map(|free_column| {
+            Matrix::from_fn(column_count, 1, |place, _| {
+                if place == free_column {
+                    arithmetic.one()
+                } else if let Some(row) = pivot_columns.iter().position(|c| *c == place) {
+                    arithmetic.negative(&rows[row][free_column])
+                } else {
+                    arithmetic.zero()
+                }
+            })
+        })
+        .collect();
+    Ok(NullSpace { basis, pivots })
+}
+
+/// What [`null_space`] finds.
+#[derive(Clone, Debug)]
+pub struct NullSpace<T> {
+    /// Columns that span it; empty where only 0 is mapped to 0.
+    pub basis: Vec<Matrix<T>>,
+    /// What was divided by.
+    pub pivots: Vec<T>,
+}

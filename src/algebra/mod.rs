@@ -1,0 +1,30 @@
+//! Exact algebra: numbers, polynomials, fractions, rings with relations, matrices, differentials.
+
+pub mod angle;
+pub mod arithmetic;
+pub mod budget;
+mod coefficient;
+mod degrees;
+pub mod determinant;
+pub mod differential;
+mod division;
+pub mod error;
+pub mod expansion;
+pub mod factor;
+pub mod fraction;
+mod gcd;
+pub mod generator;
+mod image;
+pub mod linear_system;
+pub mod matrix;
+pub mod monomial;
+pub mod number;
+mod packing;
+pub mod polynomial;
+pub mod presentation;
+mod product;
+pub mod ring;
+mod root;
+pub mod sign;
+pub mod substitution;
+pub mod symbol;

@@ -1,0 +1,135 @@
+//! Substitutions of the free symbols of a ring.
+
+use std::collections::BTreeMap;
+
+use super::arithmetic::{Arithmetic, Division};
+use super::error::AlgebraError;
+use super::fraction::Fraction;
+use super::generator::Generator;
+use super::monomial::Monomial;
+use super::number::Integer;
+use super::polynomial::Polynomial;
+use super::ring::Ring;
+use super::symbol::Symbol;
+
+/// What replaces what, all at once; symbols that are not named stay.
+pub type Substitution = BTreeMap<Symbol, Fraction>;
+
+impl Ring {
+    /// The image of an element under a substitution of free symbols (or of values of functions known
+    /// only through their derivatives).
+    ///
+    /// The other symbols follow by what they stand for: a sine becomes the sine of the image of its
+    /// angle, a root the root of the image of its radicand.
+    ///
+    /// Complexity: one product for each term and each symbol that changes in it.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::DivisionByZero`] where the denominator becomes 0,
+    /// [`AlgebraError::NotAnAngle`] where an angle is replaced by something that is none, and those
+    /// of [`Ring::cosine_and_sine`] and [`Ring::square_root`].
+    pub fn substitute(
+        &mut self,
+        element: &Fraction,
+        substitution: &Substitution,
+    ) -> Result<Fraction, AlgebraError> {
+        let numerator = self.substitute_polynomial(element.numerator(), substitution)?;
+        let denominator = self.substitute_polynomial(element.denominator(), substitution)?;
+        self.quotient(&numerator, &denominator)
+    }
+
+    fn substitute_polynomial(
+        &mut self,
+        polynomial: &Polynomial,
+        substitution: &Substitution,
+    ) -> Result<Fraction, AlgebraError> {
+        let mut images = BTreeMap::new();
+        for symbol in polynomial.symbols() {
+            if let Some(image) = self.substituted(symbol, substitution)? {
+                images.insert(symbol, image);
+            }
+        }
+        if images.is_empty() {
+            return Ok(Fraction::from(polynomial.clone()));
+        }
+        // Terms that agree in the symbols that change are taken together.
+        let mut groups: BTreeMap<Monomial, Vec<(Monomial, Integer)>> = BTreeMap::new();
+        for (monomial, coefficient) in polynomial.terms() {
+            let staying = images.keys().fold(monomial.clone(), |rest, symbol| rest.without(*symbol));
+            let Some(changing) = monomial.quotient(&staying) else { continue };
+            groups.entry(changing).or_default().push((staying, coefficient.clone()));
+        }
+        let mut sum = self.zero();
+        for (changing, staying) in groups {
+            let mut term = Fraction::from(Polynomial::from_terms(staying));
+            for (symbol, exponent) in changing.factors() {
+                let power = self.power(&images[&symbol], i64::from(exponent))?;
+                term = self.product(&term, &power)?;
+            }
+            sum = self.sum(&sum, &term)?;
+        }
+        Ok(sum)
+    }
+
+    /// The image of one symbol; nothing where it stays.
+    fn substituted(
+        &mut self,
+        symbol: Symbol,
+        substitution: &Substitution,
+    ) -> Result<Option<Fraction>, AlgebraError> {
+        if let Some(image) = substitution.get(&symbol) {
+            return Ok(Some(image.clone()));
+        }
+        match self.generator(symbol).clone() {
+            Generator::Constant { .. }
+            | Generator::Angle { .. }
+            | Generator::Coordinate { .. }
+            | Generator::ImaginaryUnit => Ok(None),
+            Generator::Cosine { angle } => {
+                let turned = self.substituted_angle(&self.angle_element(&angle), substitution)?;
+                Ok(turned.map(|(cosine, _)| cosine))
+            }
+            Generator::Sine { angle } => {
+                let turned = self.substituted_angle(&self.angle_element(&angle), substitution)?;
+                Ok(turned.map(|(_, sine)| sine))
+            }
+            Generator::Root { radicand } => {
+                let radicand = Fraction::from(radicand);
+                let image = self.substitute(&radicand, substitution)?;
+                if image == radicand { Ok(None) } else { self.square_root(&image).map(Some) }
+            }
+            Generator::Direction { x, y, .. } => {
+                let image_x = self.substitute(&x, substitution)?;
+                let image_y = self.substitute(&y, substitution)?;
+                if image_x == x && image_y == y {
+                    Ok(None)
+                } else {
+                    self.direction(&image_x, &image_y).map(Some)
+                }
+            }
+            Generator::FunctionValue { name, order, argument } => {
+                let image = self.substitute(&argument, substitution)?;
+                if image == argument {
+                    Ok(None)
+                } else {
+                    self.function_value(&name, order, &image).map(Some)
+                }
+            }
+        }
+    }
+
+    /// The cosine and sine of the image of an angle; nothing where it stays.
+    fn substituted_angle(
+        &mut self,
+        angle: &Fraction,
+        substitution: &Substitution,
+    ) -> Result<Option<(Fraction, Fraction)>, AlgebraError> {
+        let image = self.substitute(angle, substitution)?;
+        if image == *angle {
+            return Ok(None);
+        }
+        let image = self.angle(&image).ok_or(AlgebraError::NotAnAngle)?;
+        self.cosine_and_sine(&image).map(Some)
+    }
+}

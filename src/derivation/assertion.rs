@@ -1,0 +1,559 @@
+//! Assertions become verdicts, by both routes.
+//!
+//! First every assertion is elaborated where it stands and its normal forms are compared
+//! ([`Finding`]); when the document is read to its end, the sides are evaluated at points, and the
+//! two routes together give the verdict ([`Judge`]).
+
+use std::collections::BTreeMap;
+
+use crate::algebra::arithmetic::Arithmetic;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::generator::Generator;
+use crate::algebra::number::Rational;
+use crate::algebra::sign::Signs;
+
+use super::condition::Conditions;
+use super::diagnostic::{Diagnostic, DiagnosticKind};
+use super::elaboration::{Elaborator, algebra};
+use super::evaluation::evaluator::Evaluator;
+use super::evaluation::number::Number;
+use super::evaluation::point::Size;
+use super::presentation::Presenter;
+use super::quantity::{Value, common_unit};
+use super::scope::{Meaning, Scope};
+use super::syntax::{
+    Comparison, Expectation, Expression, Label, Name, Order, Place, Relation, Span,
+};
+use super::verdict::{Claim, Condition, Explanation, Verdict, Witness};
+
+/// At how many random points every assertion is evaluated.
+const POINTS: usize = 2;
+
+/// How many points are tried to find one that satisfies the assumptions, or that refutes.
+const MOST_ATTEMPTS: u64 = 400;
+
+/// Numbers large enough that two different expressions do not agree by chance.
+const LARGE: Size = Size { numerator: 10_000, denominator: 100 };
+
+/// Numbers small enough to check by hand; later ones are larger.
+const SMALL: [Size; 3] = [
+    Size { numerator: 3, denominator: 1 },
+    Size { numerator: 5, denominator: 2 },
+    Size { numerator: 40, denominator: 9 },
+];
+
+/// How far beyond the stated order the leading term of a residual is looked for.
+const RESIDUAL_ORDERS: u32 = 3;
+
+/// An assertion as the document makes it.
+#[derive(Clone, Debug)]
+pub struct Assertion {
+    /// How it is called.
+    pub label: Label,
+    /// What the author expects.
+    pub expectation: Expectation,
+    /// What is asserted.
+    pub relation: Relation,
+    /// Of an approximation.
+    pub order: Option<Order>,
+    /// In words.
+    pub description: Option<String>,
+    /// The line on which it stands, counted from 1.
+    pub line: usize,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// What the first route tells of an assertion.
+#[derive(Clone, Debug)]
+pub struct Finding {
+    /// The assertion.
+    pub assertion: Assertion,
+    outcome: Outcome,
+    conditions: Vec<Condition>,
+    residual: Option<Expression>,
+    explanation: Explanation,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Outcome {
+    /// Units or shapes do not match.
+    IllFormed(String),
+    /// The normal forms agree, or the inequality follows from the assumptions.
+    True,
+    /// The normal forms agree up to the order, and not beyond.
+    TrueToOrder,
+    /// The normal forms differ, at the given degree in the small quantities for an approximation.
+    Different(Option<u32>),
+    /// The assumptions do not decide an inequality.
+    Open,
+    /// The normal forms differ, but contain angles of vectors that may be other angles in disguise.
+    Unresolved,
+}
+
+impl Elaborator {
+    /// Compares the sides of an assertion in normal form.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnostic`] where a side has no value for another reason than units and shapes.
+    pub fn find(&mut self, assertion: &Assertion) -> Result<Finding, Diagnostic> {
+        let span = &assertion.span;
+        let ill_formed = |reason: String| {
+            Ok(Finding {
+                assertion: assertion.clone(),
+                outcome: Outcome::IllFormed(reason),
+                conditions: Vec::new(),
+                residual: None,
+                explanation: Explanation::default(),
+            })
+        };
+        let relation = &assertion.relation;
+        let sides = self.value(&relation.left).and_then(|left| Ok((left, self.value(&relation.right)?)));
+        let (left, right) = match sides {
+            Ok(sides) => sides,
+            Err(error) if matches!(error.kind, DiagnosticKind::Unit | DiagnosticKind::Shape) => {
+                return ill_formed(error.message);
+            }
+            Err(error) => return Err(error),
+        };
+        if left.shape() != right.shape() {
+            let shape = |value: &Value| format!("{}×{}", value.rows(), value.columns());
+            return ill_formed(format!("left {}, right {}", shape(&left), shape(&right)));
+        }
+        for (a, b) in left.entries().iter().zip(right.entries()) {
+            if common_unit(&a.unit, &b.unit).is_err() {
+                let unit = |unit: &Option<super::unit::Unit>| {
+                    unit.as_ref().map(ToString::to_string).unwrap_or_default()
+                };
+                return ill_formed(format!("left {}, right {}", unit(&a.unit), unit(&b.unit)));
+            }
+        }
+        let wrap = |error| algebra(error, span);
+        let differences: Vec<Fraction> = left
+            .entries()
+            .iter()
+            .zip(right.entries())
+            .map(|(a, b)| self.ring.difference(&a.value, &b.value).map_err(wrap))
+            .collect::<Result<_, _>>()?;
+        let (outcome, residual) = match (relation.comparison, &assertion.order) {
+            (Comparison::Equal, None) => (self.compare(&differences), None),
+            (Comparison::Equal, Some(order)) => self.compare_to_order(&differences, order, span)?,
+            (comparison, _) => (self.compare_signs(&differences, comparison, relation)?, None),
+        };
+        let needed = std::mem::take(&mut self.conditions);
+        let explanation = self.explanation(assertion, &left, &right)?;
+        Ok(Finding {
+            assertion: assertion.clone(),
+            outcome,
+            conditions: self.present_conditions(&needed, span)?,
+            residual: residual
+                .map(|residual| self.present(&residual, span))
+                .transpose()?,
+            explanation,
+        })
+    }
+
+    fn present(&self, element: &Fraction, span: &Span) -> Result<Expression, Diagnostic> {
+        Presenter { ring: &self.ring, scope: &self.scope }
+            .element(element)
+            .map_err(|error| algebra(error, span))
+    }
+
+    fn present_conditions(
+        &self,
+        conditions: &Conditions,
+        span: &Span,
+    ) -> Result<Vec<Condition>, Diagnostic> {
+        let presenter = Presenter { ring: &self.ring, scope: &self.scope };
+        let present = |(requirement, polynomial): &(_, _)| {
+            let expression = presenter.polynomial(polynomial);
+            Ok(Condition {
+                expression: expression.map_err(|error| algebra(error, span))?,
+                requirement: *requirement,
+            })
+        };
+        conditions.iter().map(present).collect()
+    }
+
+    fn compare(&self, differences: &[Fraction]) -> Outcome {
+        if differences.iter().all(Fraction::is_zero) {
+            return Outcome::True;
+        }
+        let hidden = differences.iter().any(|difference| {
+            let symbols = difference.numerator().symbols();
+            symbols.into_iter().any(|symbol| match self.ring.generator(symbol) {
+                Generator::Direction { .. } => true,
+                Generator::FunctionValue { argument, .. } => {
+                    let inside = argument.numerator().symbols();
+                    inside.into_iter().any(|inside| {
+                        matches!(self.ring.generator(inside), Generator::Direction { .. })
+                    })
+                }
+                _ => false,
+            })
+        });
+        if hidden { Outcome::Unresolved } else { Outcome::Different(None) }
+    }
+
+    fn compare_to_order(
+        &mut self,
+        differences: &[Fraction],
+        order: &Order,
+        span: &Span,
+    ) -> Result<(Outcome, Option<Fraction>), Diagnostic> {
+        let small = self.variables(&order.small)?;
+        let wrap = |error| algebra(error, span);
+        let mut leading: Option<(u32, Fraction)> = None;
+        for difference in differences {
+            let found = self
+                .ring
+                .leading_part(difference, &small, order.order + RESIDUAL_ORDERS)
+                .map_err(wrap)?;
+            let earlier = leading.as_ref().is_none_or(|(least, _)| {
+                found.as_ref().is_some_and(|(degree, _)| degree < least)
+            });
+            if earlier && found.is_some() {
+                leading = found;
+            }
+        }
+        Ok(match leading {
+            _ if differences.iter().all(Fraction::is_zero) => (Outcome::True, None),
+            Some((degree, _)) if degree <= order.order => (Outcome::Different(Some(degree)), None),
+            Some((_, residual)) => (Outcome::TrueToOrder, Some(residual)),
+            None => (Outcome::TrueToOrder, None),
+        })
+    }
+
+    fn compare_signs(
+        &mut self,
+        differences: &[Fraction],
+        comparison: Comparison,
+        relation: &Relation,
+    ) -> Result<Outcome, Diagnostic> {
+        let span = &relation.left.span;
+        let [difference] = differences else {
+            let message = "matrices have no order";
+            return Err(Diagnostic::new(DiagnosticKind::Shape, span.clone(), message)
+                .with_help("compare their entries"));
+        };
+        let signs = self.ring.signs(difference).map_err(|error| algebra(error, span))?;
+        let wanted = allowed(comparison);
+        let possible = |sign: fn(Signs) -> bool| sign(signs) && !sign(wanted);
+        let violated = possible(|signs| signs.negative)
+            || possible(|signs| signs.zero)
+            || possible(|signs| signs.positive);
+        Ok(if violated { Outcome::Open } else { Outcome::True })
+    }
+
+    fn explanation(
+        &self,
+        assertion: &Assertion,
+        left: &Value,
+        right: &Value,
+    ) -> Result<Explanation, Diagnostic> {
+        let mut definitions = Vec::new();
+        collect_definitions(&assertion.relation.left, &self.scope, &mut definitions);
+        collect_definitions(&assertion.relation.right, &self.scope, &mut definitions);
+        let present = |value: &Value| -> Result<Vec<Expression>, Diagnostic> {
+            let entries = value.entries().iter();
+            entries.map(|entry| self.present(&entry.value, &assertion.span)).collect()
+        };
+        let unit = left.entries().iter().chain(right.entries()).find_map(|entry| entry.unit.clone());
+        Ok(Explanation {
+            definitions,
+            left: present(left)?,
+            right: present(right)?,
+            unit: unit.map(|unit| unit.to_string()),
+            points: 0,
+        })
+    }
+}
+
+/// The signs that left − right may have.
+fn allowed(comparison: Comparison) -> Signs {
+    match comparison {
+        Comparison::Equal => Signs::ZERO,
+        Comparison::Less => Signs::NEGATIVE,
+        Comparison::LessOrEqual => Signs::NON_NEGATIVE.opposite(),
+        Comparison::Greater => Signs::POSITIVE,
+        Comparison::GreaterOrEqual => Signs::NON_NEGATIVE,
+    }
+}
+
+/// The definitions that an expression rests on, each before those that use it.
+fn collect_definitions(
+    expression: &Expression,
+    scope: &Scope,
+    found: &mut Vec<(Name, Expression)>,
+) {
+    let mut visit = |name: &Name| {
+        let definition = match scope.get(name).map(|entry| &entry.meaning) {
+            Some(Meaning::Definition { expression, .. } | Meaning::Template { expression, .. }) => {
+                expression
+            }
+            _ => return,
+        };
+        if !found.iter().any(|(known, _)| known == name) {
+            collect_definitions(definition, scope, found);
+            if !found.iter().any(|(known, _)| known == name) {
+                found.push((name.clone(), definition.clone()));
+            }
+        }
+    };
+    expression.visit_names(&mut visit);
+    if let super::syntax::Node::At(_, Place::Named(name)) = &expression.node
+        && let Some(Meaning::Substitution { replacements, .. }) =
+            scope.get(name).map(|entry| &entry.meaning)
+    {
+        for replacement in replacements {
+            collect_definitions(&replacement.value, scope, found);
+        }
+    }
+}
+
+/// Evaluates assertions at points of a finished document and gives the verdicts.
+pub struct Judge<'a> {
+    scope: &'a Scope,
+    assumptions: &'a [Relation],
+    signs: BTreeMap<String, Signs>,
+    large: Vec<Evaluator<'a>>,
+    small: Vec<Evaluator<'a>>,
+}
+
+impl<'a> Judge<'a> {
+    /// A judge over the names of a document, at points that satisfy its assumptions.
+    pub fn new(
+        scope: &'a Scope,
+        assumptions: &'a [Relation],
+        signs: BTreeMap<String, Signs>,
+    ) -> Self {
+        Judge { scope, assumptions, signs, large: Vec::new(), small: Vec::new() }
+    }
+
+    fn evaluator(&self, seed: u64, size: Size) -> Option<Evaluator<'a>> {
+        let mut evaluator = Evaluator::new(self.scope, seed, size, self.signs.clone());
+        let admissible = self.assumptions.iter().all(|assumption| {
+            let left = evaluator.evaluate(&assumption.left);
+            let right = evaluator.evaluate(&assumption.right);
+            matches!((left, right), (Ok(left), Ok(right))
+                if compare_numbers(&left, &right, assumption.comparison) == Some(true))
+        });
+        admissible.then_some(evaluator)
+    }
+
+    /// The random points at which identities are checked.
+    pub fn checkpoints(&mut self) -> &mut [Evaluator<'a>] {
+        let mut seed = 0;
+        while self.large.len() < POINTS && seed < MOST_ATTEMPTS {
+            if let Some(evaluator) = self.evaluator(seed, LARGE) {
+                self.large.push(evaluator);
+            }
+            seed += 1;
+        }
+        &mut self.large
+    }
+
+    /// The points at which counterexamples are looked for, simple ones first.
+    fn candidates(&mut self, count: usize) -> Option<&mut Evaluator<'a>> {
+        while self.small.len() <= count {
+            let next = self.small.len() as u64;
+            let size = SMALL[(next as usize / 40).min(SMALL.len() - 1)];
+            let found = (0..MOST_ATTEMPTS)
+                .find_map(|attempt| self.evaluator(1_000_000 + next * MOST_ATTEMPTS + attempt, size));
+            self.small.push(found?);
+        }
+        self.small.get_mut(count)
+    }
+
+    /// The verdict on a finding.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnostic`] where the two routes disagree, which is a mistake of this program.
+    pub fn judge(&mut self, finding: &'a Finding) -> Result<Claim, Diagnostic> {
+        let assertion = &finding.assertion;
+        let mut claim = Claim {
+            label: assertion.label.clone(),
+            line: assertion.line,
+            statement: assertion.relation.clone(),
+            description: assertion.description.clone(),
+            expectation: assertion.expectation,
+            verdict: Verdict::Undecided,
+            conditions: finding.conditions.clone(),
+            neglected: None,
+            residual: finding.residual.clone(),
+            witness: None,
+            reason: None,
+            explanation: finding.explanation.clone(),
+        };
+        match &finding.outcome {
+            Outcome::IllFormed(reason) => {
+                claim.verdict = Verdict::IllFormed;
+                claim.reason = Some(reason.clone());
+            }
+            Outcome::True | Outcome::TrueToOrder => match self.confirm(finding)? {
+                Ok(points) => {
+                    claim.explanation.points = points;
+                    claim.verdict = match (&finding.outcome, finding.conditions.is_empty()) {
+                        (Outcome::TrueToOrder, _) => Verdict::Approximate,
+                        (_, true) => Verdict::Holds,
+                        (_, false) => Verdict::HoldsWhere,
+                    };
+                    if let (Outcome::TrueToOrder, Some(order)) = (&finding.outcome, &assertion.order) {
+                        let small = order.small.iter().map(|small| small.value.clone()).collect();
+                        claim.neglected = Some((order.order + 1, small));
+                    }
+                }
+                Err(reason) => claim.reason = Some(reason),
+            },
+            Outcome::Different(_) | Outcome::Open => match self.witness(finding) {
+                Some(witness) => {
+                    claim.witness = Some(witness);
+                    claim.verdict = Verdict::Refuted;
+                }
+                None => {
+                    claim.reason = Some(match &finding.outcome {
+                        Outcome::Open => "the signs of the parameters do not decide it, and no \
+                                          point contradicts it"
+                            .into(),
+                        _ => "the normal forms differ, but no point was found at which the sides do"
+                            .to_string(),
+                    });
+                }
+            },
+            Outcome::Unresolved => {
+                claim.reason =
+                    Some("the difference contains the angle of a vector, which may be one of the \
+                          other angles"
+                        .into());
+            }
+        }
+        Ok(claim)
+    }
+
+    /// Evaluates both sides at the checkpoints: how many there were, or why it cannot be done.
+    fn confirm(&mut self, finding: &'a Finding) -> Result<Result<usize, String>, Diagnostic> {
+        let assertion = &finding.assertion;
+        let checkpoints = self.checkpoints();
+        if checkpoints.len() < POINTS {
+            return Ok(Err("no point was found that satisfies the assumptions".into()));
+        }
+        for evaluator in checkpoints {
+            let sides = match side_parts(evaluator, assertion, assertion.order.as_ref()) {
+                Ok(sides) => sides,
+                Err(reason) => return Ok(Err(format!("cannot be evaluated at a point: {reason}"))),
+            };
+            for (left, right) in sides {
+                match compare_numbers(&left, &right, assertion.relation.comparison) {
+                    Some(true) => {}
+                    Some(false) => return Err(disagreement(&assertion.span)),
+                    None => return Ok(Err("the sides cannot be compared at a point".into())),
+                }
+            }
+        }
+        Ok(Ok(POINTS))
+    }
+
+    /// The first point at which the sides differ.
+    fn witness(&mut self, finding: &'a Finding) -> Option<Witness> {
+        const MOST_POINTS: usize = 160;
+        let assertion = &finding.assertion;
+        let degree = match &finding.outcome {
+            Outcome::Different(degree) => *degree,
+            _ => None,
+        };
+        let order = assertion.order.as_ref().filter(|_| degree.is_some());
+        let names = shown_names(&finding.explanation);
+        let mut irrational = None;
+        for count in 0..MOST_POINTS {
+            let Some(evaluator) = self.candidates(count) else { break };
+            let Ok(sides) = side_parts(evaluator, assertion, order) else { continue };
+            let side = match degree {
+                Some(degree) => sides.into_iter().nth(degree as usize),
+                None => sides.into_iter().next(),
+            };
+            let Some((left, right)) = side else { continue };
+            let comparison = assertion.relation.comparison;
+            if compare_numbers(&left, &right, comparison) != Some(false) {
+                continue;
+            }
+            let place = first_difference(&left, &right);
+            let (row, column) = place?;
+            let (a, b) = (&left[row][column], &right[row][column]);
+            let point = evaluator.point();
+            let drawn = point.drawn().iter().filter(|(name, _)| names.contains(*name));
+            let witness = Witness {
+                point: drawn.map(|(name, value)| (name.clone(), value.clone())).collect(),
+                entry: (left.len() > 1 || left[0].len() > 1).then_some((row + 1, column + 1)),
+                left: a.display(&point.extension),
+                right: b.display(&point.extension),
+            };
+            if a.as_rational().is_some() && b.as_rational().is_some() {
+                return Some(witness);
+            }
+            irrational.get_or_insert(witness);
+        }
+        irrational
+    }
+}
+
+type Numbers = Vec<Vec<Number>>;
+
+/// Both sides at a point: as they are, or part by part for an approximation.
+fn side_parts<'a>(
+    evaluator: &mut Evaluator<'a>,
+    assertion: &'a Assertion,
+    order: Option<&Order>,
+) -> Result<Vec<(Numbers, Numbers)>, String> {
+    let Relation { left, right, .. } = &assertion.relation;
+    match order {
+        None => Ok(vec![(evaluator.evaluate(left)?, evaluator.evaluate(right)?)]),
+        Some(order) => {
+            let small: Vec<&str> = order.small.iter().map(|name| name.value.ascii.as_str()).collect();
+            let left = evaluator.parts(left, &small, order.order)?;
+            let right = evaluator.parts(right, &small, order.order)?;
+            Ok(left.into_iter().zip(right).collect())
+        }
+    }
+}
+
+/// Whether two tables stand in a relation; nothing where that cannot be told.
+fn compare_numbers(left: &Numbers, right: &Numbers, comparison: Comparison) -> Option<bool> {
+    if comparison == Comparison::Equal {
+        return Some(first_difference(left, right).is_none());
+    }
+    let [[a]] = [left.first()?.as_slice()] else { return None };
+    let [[b]] = [right.first()?.as_slice()] else { return None };
+    let difference = a.difference(b).as_rational()?;
+    let wanted = allowed(comparison);
+    Some(match difference.cmp(&Rational::ZERO) {
+        std::cmp::Ordering::Less => wanted.negative,
+        std::cmp::Ordering::Equal => wanted.zero,
+        std::cmp::Ordering::Greater => wanted.positive,
+    })
+}
+
+fn first_difference(left: &Numbers, right: &Numbers) -> Option<(usize, usize)> {
+    let mut places = (0..left.len()).flat_map(|row| (0..left[row].len()).map(move |column| (row, column)));
+    places.find(|(row, column)| {
+        let other = right.get(*row).and_then(|line| line.get(*column));
+        other.is_none_or(|other| !left[*row][*column].difference(other).is_zero())
+    })
+}
+
+/// The names of a point that the sides of an assertion contain: `m`, `dt(x)`, `cos(alpha_0)`.
+fn shown_names(explanation: &Explanation) -> std::collections::BTreeSet<String> {
+    let mut names = std::collections::BTreeSet::new();
+    for expression in explanation.left.iter().chain(&explanation.right) {
+        expression.collect_values(&mut names);
+    }
+    names
+}
+
+fn disagreement(span: &Span) -> Diagnostic {
+    let message = "the two routes to a verdict disagree";
+    Diagnostic::new(DiagnosticKind::Disagreement, span.clone(), message)
+        .with_label("equal in normal form, different at a point")
+        .with_help("this is a mistake of sextic, not of the document: please report it")
+}

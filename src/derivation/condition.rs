@@ -1,0 +1,93 @@
+//! What must hold for a value to exist.
+
+use std::collections::BTreeSet;
+
+use crate::algebra::error::AlgebraError;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::polynomial::Polynomial;
+use crate::algebra::ring::Ring;
+use crate::algebra::substitution::Substitution;
+
+/// What a polynomial must be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Requirement {
+    /// ≠ 0: something was divided by it.
+    NonZero,
+    /// > 0: the root of it was taken.
+    Positive,
+}
+
+/// Conditions in lowest terms: of a product that must not vanish, each factor is a condition of its
+/// own, and what the assumptions give is left out.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Conditions {
+    required: BTreeSet<(Requirement, Polynomial)>,
+}
+
+impl Conditions {
+    /// Whether nothing is required.
+    pub fn is_empty(&self) -> bool {
+        self.required.is_empty()
+    }
+
+    /// The polynomials and what they must be.
+    pub fn iter(&self) -> impl Iterator<Item = &(Requirement, Polynomial)> {
+        self.required.iter()
+    }
+
+    /// Adds all of the others.
+    pub fn extend(&mut self, others: &Conditions) {
+        self.required.extend(others.required.iter().cloned());
+    }
+
+    /// Requires that an element is not 0, factor by factor.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::Exhausted`]
+    pub fn require_non_zero(&mut self, element: &Fraction, ring: &Ring) -> Result<(), AlgebraError> {
+        for (factor, exponent) in ring.factored(element)?.factors {
+            if exponent > 0 && !ring.polynomial_signs(&factor)?.is_non_zero() {
+                self.required.insert((Requirement::NonZero, factor));
+            }
+        }
+        Ok(())
+    }
+
+    /// Requires that an element is above 0.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::Exhausted`]
+    pub fn require_positive(&mut self, element: &Fraction, ring: &Ring) -> Result<(), AlgebraError> {
+        if !ring.signs(element)?.is_positive() {
+            let product = element.numerator().multiply(element.denominator(), ring.budget())?;
+            self.required.insert((Requirement::Positive, ring.shorten(&product)?));
+        }
+        Ok(())
+    }
+
+    /// The conditions after a substitution.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::DivisionByZero`] where something that must not vanish becomes 0, and those of
+    /// [`Ring::substitute`].
+    pub fn substitute(
+        &self,
+        substitution: &Substitution,
+        ring: &mut Ring,
+    ) -> Result<Conditions, AlgebraError> {
+        let mut conditions = Conditions::default();
+        for (requirement, polynomial) in &self.required {
+            let element = ring.fraction(polynomial, &Polynomial::one())?;
+            let image = ring.substitute(&element, substitution)?;
+            match requirement {
+                _ if image.is_zero() => return Err(AlgebraError::DivisionByZero),
+                Requirement::NonZero => conditions.require_non_zero(&image, ring)?,
+                Requirement::Positive => conditions.require_positive(&image, ring)?,
+            }
+        }
+        Ok(conditions)
+    }
+}

@@ -1,0 +1,275 @@
+//! The statements that introduce names: declarations, definitions, substitutions, imports.
+
+use super::cursor::{Cursor, Parsed};
+use super::diagnostic::Diagnostic;
+use super::lexer::TokenKind;
+use super::syntax::{Name, Sign, Spanned, StatementKind};
+
+impl Cursor<'_> {
+    /// `import "other.md"`, behind its keyword like all of these.
+    pub(crate) fn import(&mut self) -> Parsed<StatementKind> {
+        match self.accept_text()? {
+            Some(path) => Ok(StatementKind::Import { path }),
+            None => Err(self
+                .expected("a path in quotation marks")
+                .with_help("write `import \"other.md\"`")),
+        }
+    }
+
+    /// `parameter m : kg/m > 0 "mass per unit length"`
+    pub(crate) fn parameter(&mut self) -> Parsed<StatementKind> {
+        let names = self.declared_names()?;
+        let unit = self.unit()?;
+        let sign = self.sign()?;
+        Ok(StatementKind::Parameter {
+            names,
+            unit,
+            sign,
+            description: self.description()?,
+        })
+    }
+
+    /// `angle α_g, θ_0 "…"`
+    pub(crate) fn angle(&mut self) -> Parsed<StatementKind> {
+        let names = self.declared_names()?;
+        if self.peek() == Some(TokenKind::Colon) {
+            let help = "an angle is in rad: leave the unit out";
+            return Err(self
+                .expected("a description or the end of the statement")
+                .with_help(help));
+        }
+        Ok(StatementKind::Angle {
+            names,
+            description: self.description()?,
+        })
+    }
+
+    /// `coordinate x, y : m "…"`
+    pub(crate) fn coordinate(&mut self) -> Parsed<StatementKind> {
+        let names = self.declared_names()?;
+        let unit = self.unit()?;
+        Ok(StatementKind::Coordinate {
+            names,
+            unit,
+            description: self.description()?,
+        })
+    }
+
+    /// `function C_D, C_L at α_0 + θ_0 : 1 "…"`
+    pub(crate) fn function(&mut self) -> Parsed<StatementKind> {
+        let names = self.declared_names()?;
+        if !self.accept_word("at") {
+            let help = "say where the bare name is taken: `function C_D at α_0 : 1`";
+            return Err(self.expected("`at` and the argument").with_help(help));
+        }
+        let reference = self.expression()?;
+        let unit = self.unit()?;
+        Ok(StatementKind::Function {
+            names,
+            reference,
+            unit,
+            description: self.description()?,
+        })
+    }
+
+    /// `imaginary i`
+    pub(crate) fn imaginary(&mut self) -> Parsed<StatementKind> {
+        Ok(StatementKind::Imaginary {
+            name: self.name("a name")?,
+        })
+    }
+
+    /// `assume L_g < r "…"`
+    pub(crate) fn assume(&mut self) -> Parsed<StatementKind> {
+        let relation = self.relation()?;
+        Ok(StatementKind::Assume {
+            relation,
+            description: self.description()?,
+        })
+    }
+
+    /// `substitution rest: dt(x) = 0, dt(y) = 0`
+    pub(crate) fn substitution(&mut self) -> Parsed<StatementKind> {
+        let name = self.name("the name of the substitution")?;
+        self.expect(TokenKind::Colon, "`:`")?;
+        Ok(StatementKind::Substitution {
+            name,
+            replacements: self.replacements()?,
+        })
+    }
+
+    /// `X := …`, `u, v := …, …`, `R(β) := …`
+    pub(crate) fn definition(&mut self) -> Parsed<StatementKind> {
+        let names = self.names("the name of what is defined")?;
+        let open = self.here();
+        let mut arguments = Vec::new();
+        if self.accept(TokenKind::OpenRound).is_some() {
+            arguments = self.names("the name of an argument")?;
+            self.expect_closing(TokenKind::CloseRound, &open)?;
+        }
+        let targets = self.here();
+        if self.accept(TokenKind::Define).is_none() {
+            let help = "a definition is written `X := …`";
+            return Err(self.expected("`:=`").with_help(help));
+        }
+        if !arguments.is_empty() && names.len() > 1 {
+            return Err(
+                Diagnostic::syntax(open, "only one function can be defined at a time")
+                    .with_label("arguments behind several names")
+                    .with_help("write a definition for each function"),
+            );
+        }
+        let start = self.here().start;
+        let values = self.expressions()?;
+        if values.len() != names.len() {
+            let message = format!(
+                "{} and {} do not pair up",
+                count(names.len(), "name"),
+                count(values.len(), "value")
+            );
+            return Err(Diagnostic::syntax(self.since(start), message)
+                .with_label(count(values.len(), "value"))
+                .with_secondary(
+                    targets.start.min(names[0].span.start)..targets.start,
+                    count(names.len(), "name"),
+                )
+                .with_help("give one value for each name"));
+        }
+        Ok(StatementKind::Definition {
+            names,
+            arguments,
+            values,
+        })
+    }
+
+    /// A string at the end of a statement.
+    pub(crate) fn description(&mut self) -> Parsed<Option<String>> {
+        Ok(self.accept_text()?.map(|description| description.value))
+    }
+
+    /// `m`, or `S_xθ as S_xt`, with commas between them.
+    fn declared_names(&mut self) -> Parsed<Vec<Spanned<Name>>> {
+        let mut names = vec![self.declared_name()?];
+        while self.accept(TokenKind::Comma).is_some() {
+            names.push(self.declared_name()?);
+        }
+        Ok(names)
+    }
+
+    fn declared_name(&mut self) -> Parsed<Spanned<Name>> {
+        let spelling = self.name("the name of what is declared")?;
+        if !self.accept_word("as") {
+            return Ok(spelling);
+        }
+        let ascii = self.name("an ASCII spelling")?;
+        let written = self.text_of(&ascii.span);
+        if !written.is_ascii() {
+            return Err(Diagnostic::syntax(
+                ascii.span,
+                format!("`{written}` is not an ASCII spelling"),
+            )
+            .with_label("not ASCII")
+            .with_help(format!(
+                "behind `as` use only a-z, A-Z, digits and `_`: `{}`",
+                ascii.value.ascii
+            )));
+        }
+        let name = Name::with_ascii(self.text_of(&spelling.span), written);
+        self.aliases
+            .declare(&Name::new(self.text_of(&spelling.span)), &name);
+        Ok(Spanned {
+            value: name,
+            span: self.since(spelling.span.start),
+        })
+    }
+
+    /// `: kg/m`, up to a sign, a string or the end.
+    fn unit(&mut self) -> Parsed<Spanned<String>> {
+        if self.accept(TokenKind::Colon).is_none() {
+            let help = "give the unit behind `:`, as in `: kg/m`, or `: 1` for a plain number";
+            return Err(self
+                .expected_in_declaration("`:` and a unit")
+                .with_help(help));
+        }
+        let start = self.here().start;
+        while self.peek().is_some_and(|kind| !ends_unit(kind)) {
+            self.advance();
+        }
+        let span = self.since(start);
+        if span.is_empty()
+            || self
+                .previous()
+                .is_some_and(|token| token.kind == TokenKind::Colon)
+        {
+            return Err(self
+                .expected("a unit")
+                .with_help("the unit of a plain number is `1`"));
+        }
+        Ok(Spanned {
+            value: self.text_of(&span).to_owned(),
+            span,
+        })
+    }
+
+    /// `> 0`, `>= 0`, `!= 0`
+    fn sign(&mut self) -> Parsed<Option<Sign>> {
+        let start = self.here().start;
+        let sign = match self.peek() {
+            Some(TokenKind::Greater) => Some(Sign::Positive),
+            Some(TokenKind::GreaterOrEqual) => Some(Sign::NonNegative),
+            Some(TokenKind::NotEqual) => Some(Sign::NonZero),
+            Some(kind)
+                if ends_unit(kind)
+                    && kind != TokenKind::Text
+                    && kind != TokenKind::UnclosedText =>
+            {
+                None
+            }
+            _ => return Ok(None),
+        };
+        self.advance();
+        let zero = self.peek_text() == "0";
+        if self.peek().is_some() {
+            self.advance();
+        }
+        match sign {
+            Some(sign) if zero => Ok(Some(sign)),
+            _ => Err(Diagnostic::syntax(
+                self.since(start),
+                "this is not a sign that can be declared",
+            )
+            .with_label("expected `> 0`, `>= 0` or `!= 0`")
+            .with_help("write other assumptions as `assume L_g < r`")),
+        }
+    }
+
+    /// Between names and units two words side by side are no product.
+    fn expected_in_declaration(&self, what: &str) -> Diagnostic {
+        let error = self.expected(what);
+        match self.peek() {
+            Some(TokenKind::Name) => error.with_label(format!("expected `,` or {what}")),
+            _ => error,
+        }
+    }
+}
+
+/// Whether a unit ends before this token.
+fn ends_unit(kind: TokenKind) -> bool {
+    matches!(
+        kind,
+        TokenKind::Greater
+            | TokenKind::GreaterOrEqual
+            | TokenKind::NotEqual
+            | TokenKind::Less
+            | TokenKind::LessOrEqual
+            | TokenKind::Equals
+            | TokenKind::EqualsEquals
+            | TokenKind::Text
+            | TokenKind::UnclosedText
+    )
+}
+
+fn count(number: usize, noun: &str) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{number} {noun}{plural}")
+}

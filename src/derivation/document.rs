@@ -1,0 +1,149 @@
+//! A document: the statements of all its blocks.
+
+use std::collections::HashMap;
+
+use super::cursor::Cursor;
+use super::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
+use super::lexer::{self, LinePosition, Token, TokenKind};
+use super::markdown;
+use super::name::Aliases;
+use super::statement_parser::is_keyword;
+use super::syntax::{Label, Span, Statement, StatementKind};
+
+/// How many bytes a document may have.
+const MAXIMUM_SIZE: usize = 4 << 20;
+/// How many mistakes are reported; more help nobody.
+const MAXIMUM_DIAGNOSTICS: usize = 100;
+
+/// What a document says.
+#[derive(Clone, Debug)]
+pub struct Document {
+    /// Its first heading.
+    pub title: Option<String>,
+    /// The statements of its blocks, in order.
+    pub statements: Vec<Statement>,
+    /// The ASCII spellings that it declares by `as`.
+    pub aliases: Aliases,
+}
+
+/// Reads a document, or finds all its mistakes.
+pub fn parse_document(source: &SourceFile) -> Result<Document, Vec<Diagnostic>> {
+    parse_document_with(source, &Aliases::default())
+}
+
+/// Reads a document that imports others, with the spellings that those declare.
+pub fn parse_document_with(
+    source: &SourceFile,
+    imported: &Aliases,
+) -> Result<Document, Vec<Diagnostic>> {
+    let text = source.text.as_str();
+    if text.len() > MAXIMUM_SIZE {
+        let message = format!("a document may have {MAXIMUM_SIZE} bytes");
+        return Err(vec![
+            Diagnostic::new(DiagnosticKind::Budget, 0..0, message)
+                .with_label(format!("this one has {}", text.len()))
+                .with_help("split it into documents that import each other"),
+        ]);
+    }
+    let (found, mut errors) = markdown::blocks(text);
+    let mut statements = Vec::new();
+    let mut aliases = imported.clone();
+    for block in &found.blocks {
+        let tokens = lexer::tokens(text, block);
+        for range in statement_ranges(text, &tokens) {
+            match Cursor::new(text, &tokens[range], &mut aliases).statement() {
+                Ok(statement) => statements.push(statement),
+                Err(error) => errors.push(error),
+            }
+        }
+    }
+    errors.extend(duplicate_labels(&statements));
+    if errors.is_empty() {
+        return Ok(Document {
+            title: found.title,
+            statements,
+            aliases,
+        });
+    }
+    errors.sort_by_key(|error| error.span.start);
+    errors.truncate(MAXIMUM_DIAGNOSTICS);
+    Err(errors)
+}
+
+/// Splits tokens into statements: one begins at the margin, outside of brackets.
+fn statement_ranges(text: &str, tokens: &[Token]) -> Vec<Span> {
+    let mut starts = Vec::new();
+    let mut open_brackets = 0_usize;
+    for (index, token) in tokens.iter().enumerate() {
+        let at_margin = token.position == LinePosition::Margin;
+        if index == 0 || at_margin && (open_brackets == 0 || surely_begins(text, &tokens[index..]))
+        {
+            starts.push(index);
+            open_brackets = 0;
+        }
+        match token.kind {
+            TokenKind::OpenRound | TokenKind::OpenSquare => open_brackets += 1,
+            TokenKind::CloseRound | TokenKind::CloseSquare => {
+                open_brackets = open_brackets.saturating_sub(1);
+            }
+            _ => {}
+        }
+    }
+    let ends = starts.iter().skip(1).copied().chain([tokens.len()]);
+    starts
+        .iter()
+        .copied()
+        .zip(ends)
+        .map(|(start, end)| start..end)
+        .collect()
+}
+
+/// Whether a line cannot be inside of a bracket, so that a bracket above it was forgotten.
+fn surely_begins(text: &str, tokens: &[Token]) -> bool {
+    let word = |token: &Token| text.get(token.span.clone()).unwrap_or_default();
+    let mut line = tokens.iter().enumerate();
+    let mut line = line
+        .by_ref()
+        .take_while(|(index, token)| *index == 0 || token.position == LinePosition::Inside);
+    let Some((_, first)) = line.next() else {
+        return false;
+    };
+    let follows = tokens.get(1).map(|token| token.kind);
+    let is_statement = first.kind == TokenKind::Name
+        && is_keyword(word(first))
+        && !matches!(
+            follows,
+            Some(TokenKind::Comma | TokenKind::Semicolon | TokenKind::CloseSquare)
+        );
+    is_statement || line.any(|(_, token)| token.kind == TokenKind::Define)
+}
+
+/// An error for every label whose identifier an earlier one has.
+fn duplicate_labels(statements: &[Statement]) -> Vec<Diagnostic> {
+    let mut first: HashMap<&str, &Label> = HashMap::new();
+    let mut errors = Vec::new();
+    for label in statements.iter().filter_map(label_of) {
+        let Some(earlier) = first.get(label.id.as_str()) else {
+            first.insert(&label.id, label);
+            continue;
+        };
+        let message = format!("two labels are called `{}`", label.id);
+        errors.push(
+            Diagnostic::new(DiagnosticKind::Duplicate, label.span.clone(), message)
+                .with_label("the same again")
+                .with_secondary(earlier.span.clone(), "the first one")
+                .with_help("tell them apart by words behind a comma: `(8, printed)`"),
+        );
+    }
+    errors
+}
+
+fn label_of(statement: &Statement) -> Option<&Label> {
+    match &statement.kind {
+        StatementKind::Assertion { label, .. } | StatementKind::Eigenpair { label, .. } => {
+            Some(label)
+        }
+        StatementKind::Match(matching) => Some(&matching.label),
+        _ => None,
+    }
+}

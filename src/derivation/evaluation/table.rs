@@ -1,0 +1,117 @@
+//! Matrices of numbers, for evaluation only.
+
+use super::number::{Extension, Number};
+use super::point::Tag;
+
+/// A number, and the sum of angles that it is the measure of (at the point itself, nilpotent
+/// elements aside) where it is one.
+#[derive(Clone, Debug)]
+pub struct Sample {
+    /// The number.
+    pub number: Number,
+    /// The angle.
+    pub angle: Option<Tag>,
+}
+
+impl From<Number> for Sample {
+    fn from(number: Number) -> Self {
+        // 0 is the empty sum of angles.
+        let angle = number.base().is_zero().then(Tag::new);
+        Sample { number, angle }
+    }
+}
+
+/// Rows of numbers, all of one length.
+pub type Table = Vec<Vec<Sample>>;
+
+/// A table with one entry.
+pub fn single(number: Number) -> Table {
+    vec![vec![Sample::from(number)]]
+}
+
+/// The numbers of a table.
+pub fn numbers(table: &Table) -> Vec<Vec<Number>> {
+    table.iter().map(|row| row.iter().map(|sample| sample.number.clone()).collect()).collect()
+}
+
+/// A table of numbers that are no angles.
+pub fn samples(numbers: Vec<Vec<Number>>) -> Table {
+    numbers.into_iter().map(|row| row.into_iter().map(Sample::from).collect()).collect()
+}
+
+/// Gaussian elimination on [A | B] with a square A: (|A|, A⁻¹B), the latter where A is invertible.
+///
+/// A pivot must be invertible, not only different from 0; nothing where there is none although the
+/// determinant may not be 0.
+pub fn eliminate(
+    matrix: &[Vec<Number>],
+    right: &[Vec<Number>],
+    extension: &Extension,
+) -> Option<(Number, Vec<Vec<Number>>)> {
+    let size = matrix.len();
+    let mut rows: Vec<Vec<Number>> =
+        matrix.iter().zip(right).map(|(a, b)| a.iter().chain(b).cloned().collect()).collect();
+    let mut determinant = Number::from(1);
+    for column in 0..size {
+        let pivot = (column..size).find(|row| extension.inverse(&rows[*row][column]).is_some());
+        let Some(pivot) = pivot else {
+            let all_zero = (column..size).all(|row| rows[row][column].is_zero());
+            return all_zero.then(|| (Number::default(), Vec::new()));
+        };
+        if pivot != column {
+            rows.swap(pivot, column);
+            determinant = determinant.negative();
+        }
+        determinant = extension.product(&determinant, &rows[column][column]);
+        let inverse = extension.inverse(&rows[column][column])?;
+        let normalised: Vec<Number> =
+            rows[column].iter().map(|entry| extension.product(entry, &inverse)).collect();
+        for (index, row) in rows.iter_mut().enumerate() {
+            if index != column {
+                let factor = row[column].clone();
+                for (entry, pivot_entry) in row.iter_mut().zip(&normalised) {
+                    *entry = entry.difference(&extension.product(&factor, pivot_entry));
+                }
+            }
+        }
+        rows[column] = normalised;
+    }
+    Some((determinant, rows.into_iter().map(|row| row[size..].to_vec()).collect()))
+}
+
+/// |A| by elimination, and by expansion along the first row where elimination finds no pivot.
+pub fn determinant(matrix: &[Vec<Number>], extension: &Extension) -> Number {
+    let nothing: Vec<Vec<Number>> = vec![Vec::new(); matrix.len()];
+    if let Some((determinant, _)) = eliminate(matrix, &nothing, extension) {
+        return determinant;
+    }
+    let mut sum = Number::default();
+    for (column, entry) in matrix[0].iter().enumerate() {
+        let minor = determinant(&without(matrix, 0, column), extension);
+        let term = extension.product(entry, &minor);
+        sum = if column % 2 == 0 { sum.sum(&term) } else { sum.difference(&term) };
+    }
+    sum
+}
+
+/// adj A, from the minors.
+pub fn adjugate(matrix: &[Vec<Number>], extension: &Extension) -> Vec<Vec<Number>> {
+    let size = matrix.len();
+    let cofactor = |row: usize, column: usize| {
+        if size == 1 {
+            return Number::from(1);
+        }
+        let minor = determinant(&without(matrix, column, row), extension);
+        if (row + column) % 2 == 0 { minor } else { minor.negative() }
+    };
+    (0..size).map(|row| (0..size).map(|column| cofactor(row, column)).collect()).collect()
+}
+
+fn without(matrix: &[Vec<Number>], row: usize, column: usize) -> Vec<Vec<Number>> {
+    let rows = matrix.iter().enumerate().filter(|(index, _)| *index != row);
+    rows.map(|(_, line)| {
+        let entries = line.iter().enumerate().filter(|(index, _)| *index != column);
+        entries.map(|(_, entry)| entry.clone()).collect()
+    })
+    .collect()
+}

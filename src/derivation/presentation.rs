@@ -1,0 +1,217 @@
+//! Elements of the ring become expressions that a person can read and a parser can read back.
+
+use crate::algebra::error::AlgebraError;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::generator::Generator;
+use crate::algebra::monomial::Monomial;
+use crate::algebra::number::{Integer, Rational};
+use crate::algebra::polynomial::Polynomial;
+use crate::algebra::ring::Ring;
+use crate::algebra::symbol::Symbol;
+
+use super::scope::{Meaning, Scope, SymbolKind};
+use super::syntax::{BinaryOperator, Expression, Name, Node};
+
+/// Longer polynomials are not taken apart into factors.
+const MOST_TERMS_TO_FACTOR: usize = 400;
+
+impl Expression {
+    /// An expression that stands in no document.
+    pub fn made(node: Node) -> Self {
+        Expression { node, span: 0..0 }
+    }
+
+    /// A number.
+    pub fn number(number: Rational) -> Self {
+        if number < Rational::ZERO {
+            let size = Expression::number(-number);
+            return Expression::made(Node::Negative(Box::new(size)));
+        }
+        if number.is_int() {
+            return Expression::made(Node::Number(number));
+        }
+        let (above, below) = number.into_parts();
+        let above = Expression::made(Node::Number(Rational::from(above)));
+        let below = Expression::made(Node::Number(Rational::from(below)));
+        Expression::binary(BinaryOperator::Divide, above, below)
+    }
+
+    /// A name.
+    pub fn name(name: Name) -> Self {
+        Expression::made(Node::Name(name))
+    }
+
+    /// Two expressions with an operator between them.
+    pub fn binary(operator: BinaryOperator, left: Expression, right: Expression) -> Self {
+        Expression::made(Node::Binary(operator, Box::new(left), Box::new(right)))
+    }
+
+    /// A call.
+    pub fn call(function: Name, order: u32, arguments: Vec<Expression>) -> Self {
+        Expression::made(Node::Call { function, order, arguments })
+    }
+}
+
+/// Writes elements of a ring with the names of a scope.
+pub struct Presenter<'a> {
+    /// The ring.
+    pub ring: &'a Ring,
+    /// The names.
+    pub scope: &'a Scope,
+}
+
+impl Presenter<'_> {
+    /// The element as an expression: factored where that is affordable, each factor in its shortest
+    /// form.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::Exhausted`]
+    pub fn element(&self, element: &Fraction) -> Result<Expression, AlgebraError> {
+        if element.numerator().len().max(element.denominator().len()) > MOST_TERMS_TO_FACTOR {
+            let above = self.polynomial(element.numerator())?;
+            return Ok(match element.denominator().as_constant() {
+                Some(one) if one == Integer::ONE => above,
+                _ => {
+                    let below = self.polynomial(element.denominator())?;
+                    Expression::binary(BinaryOperator::Divide, above, below)
+                }
+            });
+        }
+        let factored = self.ring.factored(element)?;
+        if element.is_zero() {
+            return Ok(Expression::number(Rational::ZERO));
+        }
+        let negative = factored.coefficient < Rational::ZERO;
+        let size = if negative { -factored.coefficient } else { factored.coefficient };
+        let (integer_above, integer_below) = size.into_parts();
+        let (mut above, mut below) = (Vec::new(), Vec::new());
+        if integer_above != Integer::ONE {
+            above.push(Expression::made(Node::Number(Rational::from(integer_above))));
+        }
+        if integer_below != Integer::ONE.try_into().unwrap_or_default() {
+            below.push(Expression::made(Node::Number(Rational::from(integer_below))));
+        }
+        // Single symbols come first, as one writes products.
+        let (single, sums): (Vec<_>, Vec<_>) =
+            factored.factors.iter().partition(|(factor, _)| factor.len() == 1);
+        let single = single.into_iter().rev();
+        for (factor, exponent) in single.chain(sums.into_iter()) {
+            let base = self.polynomial(factor)?;
+            let power = raised(base, exponent.unsigned_abs());
+            if *exponent > 0 { &mut above } else { &mut below }.push(power);
+        }
+        let line_above = product(above);
+        let quotient = match below.is_empty() {
+            true => line_above,
+            false => Expression::binary(BinaryOperator::Divide, line_above, product(below)),
+        };
+        Ok(if negative {
+            Expression::made(Node::Negative(Box::new(quotient)))
+        } else {
+            quotient
+        })
+    }
+
+    /// The polynomial as a sum of its terms.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::Exhausted`]
+    pub fn polynomial(&self, polynomial: &Polynomial) -> Result<Expression, AlgebraError> {
+        let mut sum: Option<Expression> = None;
+        for (monomial, coefficient) in polynomial.terms() {
+            let negative = *coefficient < Integer::ZERO;
+            let size = if negative { -coefficient } else { coefficient.clone() };
+            let term = self.term(monomial, size)?;
+            sum = Some(match (sum, negative) {
+                (None, false) => term,
+                (None, true) => Expression::made(Node::Negative(Box::new(term))),
+                (Some(sum), false) => Expression::binary(BinaryOperator::Add, sum, term),
+                (Some(sum), true) => Expression::binary(BinaryOperator::Subtract, sum, term),
+            });
+        }
+        Ok(sum.unwrap_or_else(|| Expression::number(Rational::ZERO)))
+    }
+
+    fn term(&self, monomial: &Monomial, size: Integer) -> Result<Expression, AlgebraError> {
+        let mut factors = Vec::new();
+        if size != Integer::ONE {
+            factors.push(Expression::made(Node::Number(Rational::from(size))));
+        }
+        for (symbol, exponent) in monomial.factors() {
+            factors.push(raised(self.symbol(symbol)?, u64::from(exponent)));
+        }
+        Ok(product(factors))
+    }
+
+    fn declared(&self, ascii: &str) -> Name {
+        let name = Name::new(ascii);
+        self.scope.get(&name).map_or(name, |entry| entry.name.clone())
+    }
+
+    fn symbol(&self, symbol: Symbol) -> Result<Expression, AlgebraError> {
+        let call = |function: &str, argument| Expression::call(Name::new(function), 0, vec![argument]);
+        Ok(match self.ring.generator(symbol) {
+            Generator::Constant { name } | Generator::Angle { name } => {
+                Expression::name(self.declared(name))
+            }
+            Generator::Coordinate { name, order, .. } => {
+                let coordinate = Expression::name(self.declared(name));
+                (0..*order).fold(coordinate, |inner, _| call("dt", inner))
+            }
+            Generator::ImaginaryUnit => {
+                let imaginary = |entry: &&super::scope::Entry| {
+                    self.scope.kind_of(&entry.name.ascii) == Some(SymbolKind::Imaginary)
+                };
+                let declared = self.scope.entries().find(imaginary);
+                Expression::name(declared.map_or(Name::new("i"), |entry| entry.name.clone()))
+            }
+            Generator::Cosine { angle } => {
+                call("cos", self.polynomial(self.ring.angle_element(angle).numerator())?)
+            }
+            Generator::Sine { angle } => {
+                call("sin", self.polynomial(self.ring.angle_element(angle).numerator())?)
+            }
+            Generator::Root { radicand } => {
+                call("sqrt", self.element(&Fraction::from(radicand.clone()))?)
+            }
+            Generator::Direction { x, y, .. } => {
+                let arguments = vec![self.element(x)?, self.element(y)?];
+                Expression::call(Name::new("angle"), 0, arguments)
+            }
+            Generator::FunctionValue { name, order, argument } => {
+                let name = self.declared(name);
+                let at_reference = match self.scope.get(&name).map(|entry| &entry.meaning) {
+                    Some(Meaning::Function { argument: reference, .. }) => {
+                        reference.value == *argument
+                    }
+                    _ => false,
+                };
+                match (at_reference, order) {
+                    (true, 0) => Expression::name(name),
+                    (true, order) => Expression::made(Node::Derivative(name, *order)),
+                    (false, order) => Expression::call(name, *order, vec![self.element(argument)?]),
+                }
+            }
+        })
+    }
+}
+
+fn raised(base: Expression, exponent: u64) -> Expression {
+    match exponent {
+        1 => base,
+        _ => Expression::binary(
+            BinaryOperator::Power,
+            base,
+            Expression::made(Node::Number(Rational::from(exponent))),
+        ),
+    }
+}
+
+fn product(factors: Vec<Expression>) -> Expression {
+    factors
+        .into_iter()
+        .reduce(|left, right| Expression::binary(BinaryOperator::Multiply, left, right))
+        .unwrap_or_else(|| Expression::number(Rational::ONE))
+}

@@ -1,0 +1,106 @@
+//! Values with units.
+
+use crate::algebra::arithmetic::{Arithmetic, Division};
+use crate::algebra::error::AlgebraError;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::matrix::Matrix;
+use crate::algebra::number::Rational;
+use crate::algebra::ring::Ring;
+
+use super::unit::Unit;
+
+/// An element of the ring and its unit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity {
+    /// The element.
+    pub value: Fraction,
+    /// Its unit; none for a plain 0, which fits every unit.
+    pub unit: Option<Unit>,
+}
+
+/// A value of a document; a scalar is a matrix with one row and one column.
+pub type Value = Matrix<Quantity>;
+
+impl Quantity {
+    /// A quantity with a unit.
+    pub fn new(value: Fraction, unit: Unit) -> Self {
+        Quantity { value, unit: Some(unit) }
+    }
+
+    /// A pure number; 0 fits every unit.
+    pub fn number(number: Rational) -> Self {
+        let unit = (!number.is_zero()).then(Unit::one);
+        Quantity { value: Fraction::from(number), unit }
+    }
+
+    /// The quantity as a value.
+    pub fn scalar(self) -> Value {
+        Matrix::from_fn(1, 1, |_, _| self.clone())
+    }
+}
+
+/// The unit that two quantities share, if they do.
+pub fn common_unit(a: &Option<Unit>, b: &Option<Unit>) -> Result<Option<Unit>, QuantityError> {
+    match (a, b) {
+        (Some(a), Some(b)) if a != b => Err(QuantityError::Units(a.clone(), b.clone())),
+        (Some(unit), _) | (None, Some(unit)) => Ok(Some(unit.clone())),
+        (None, None) => Ok(None),
+    }
+}
+
+/// Why two quantities could not be combined.
+#[derive(Clone, Debug)]
+pub enum QuantityError {
+    /// The algebra could not.
+    Algebra(AlgebraError),
+    /// Quantities of these units were added.
+    Units(Unit, Unit),
+}
+
+impl From<AlgebraError> for QuantityError {
+    fn from(error: AlgebraError) -> Self {
+        QuantityError::Algebra(error)
+    }
+}
+
+/// The arithmetic of quantities over a ring: values as in the ring, sums only of equal units.
+#[derive(Clone, Copy)]
+pub struct Quantities<'a>(pub &'a Ring);
+
+impl Arithmetic for Quantities<'_> {
+    type Element = Quantity;
+    type Error = QuantityError;
+
+    fn zero(&self) -> Quantity {
+        Quantity::number(Rational::ZERO)
+    }
+
+    fn one(&self) -> Quantity {
+        Quantity::number(Rational::ONE)
+    }
+
+    fn is_zero(&self, a: &Quantity) -> bool {
+        a.value.is_zero()
+    }
+
+    fn sum(&self, a: &Quantity, b: &Quantity) -> Result<Quantity, QuantityError> {
+        let unit = common_unit(&a.unit, &b.unit)?;
+        Ok(Quantity { value: self.0.sum(&a.value, &b.value)?, unit })
+    }
+
+    fn negative(&self, a: &Quantity) -> Quantity {
+        Quantity { value: a.value.negative(), unit: a.unit.clone() }
+    }
+
+    fn product(&self, a: &Quantity, b: &Quantity) -> Result<Quantity, QuantityError> {
+        let unit = a.unit.as_ref().zip(b.unit.as_ref()).map(|(a, b)| a.product(b));
+        Ok(Quantity { value: self.0.product(&a.value, &b.value)?, unit })
+    }
+}
+
+impl Division for Quantities<'_> {
+    fn quotient(&self, a: &Quantity, b: &Quantity) -> Result<Quantity, QuantityError> {
+        let unit = a.unit.as_ref().zip(b.unit.as_ref()).map(|(a, b)| a.product(&b.inverse()));
+        Ok(Quantity { value: self.0.quotient(&a.value, &b.value)?, unit })
+    }
+}

@@ -1,0 +1,175 @@
+//! What the names of a document mean.
+
+use std::collections::BTreeMap;
+
+use crate::algebra::symbol::Symbol;
+
+use super::condition::Conditions;
+use super::diagnostic::{Diagnostic, DiagnosticKind, nearest};
+use super::quantity::{Quantity, Value};
+use super::syntax::{Expression, Name, Replacement, Span, Spanned};
+use super::unit::Unit;
+
+/// What a name means.
+#[derive(Clone, Debug)]
+pub enum Meaning {
+    /// A symbol of the ring: a parameter, an angle, a coordinate or i.
+    Symbol {
+        /// The symbol.
+        symbol: Symbol,
+        /// Its unit.
+        unit: Unit,
+        /// What sort of quantity it is.
+        kind: SymbolKind,
+    },
+    /// A function known only through its derivatives.
+    Function {
+        /// Where the bare name is taken.
+        reference: Expression,
+        /// What that is.
+        argument: Quantity,
+        /// The unit of its values.
+        unit: Unit,
+    },
+    /// A defined value.
+    Definition {
+        /// What it was defined as.
+        expression: Expression,
+        /// What that is.
+        value: Value,
+        /// What must hold for it to exist.
+        conditions: Conditions,
+    },
+    /// A definition with arguments.
+    Template {
+        /// The names of its arguments.
+        arguments: Vec<Name>,
+        /// What it was defined as.
+        expression: Expression,
+    },
+    /// Replacements under a name: a `substitution`, or the solution of a `match`.
+    Substitution {
+        /// What is replaced by what.
+        replacements: Vec<Replacement>,
+        /// What must hold for the replacements to exist.
+        conditions: Conditions,
+    },
+}
+
+/// The sorts of quantities that a document declares.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SymbolKind {
+    /// A constant.
+    Parameter,
+    /// A constant angle.
+    Angle,
+    /// A function of time.
+    Coordinate,
+    /// A function of time that is an angle.
+    AngularCoordinate,
+    /// i.
+    Imaginary,
+}
+
+/// A name, what it means, and where the document says so.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// The name as it was declared.
+    pub name: Name,
+    /// What it means.
+    pub meaning: Meaning,
+    /// In words.
+    pub description: Option<String>,
+    /// Where it was declared; nothing for a name that another document declares.
+    pub span: Option<Span>,
+}
+
+/// The names of a document; each has one meaning throughout.
+#[derive(Clone, Debug, Default)]
+pub struct Scope {
+    entries: BTreeMap<String, Entry>,
+}
+
+impl Scope {
+    /// Gives a name its meaning.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnostic`] where it has one already, or where it is the name of a built-in function.
+    pub fn declare(
+        &mut self,
+        name: &Spanned<Name>,
+        meaning: Meaning,
+        description: Option<String>,
+    ) -> Result<(), Diagnostic> {
+        let duplicate = |message: String| {
+            Diagnostic::new(DiagnosticKind::Duplicate, name.span.clone(), message)
+                .with_label("declared again")
+                .with_help("choose another name: a name means one thing in a document")
+        };
+        if super::function::NAMES.contains(&name.value.ascii.as_str()) {
+            let message = format!("`{}` is the name of a built-in function", name.value);
+            return Err(duplicate(message));
+        }
+        if let Some(known) = self.entries.get(&name.value.ascii) {
+            let diagnostic = duplicate(format!("`{}` has a meaning already", name.value));
+            return Err(match &known.span {
+                Some(span) => diagnostic.with_secondary(span.clone(), "first declared here"),
+                None => diagnostic,
+            });
+        }
+        let entry = Entry {
+            name: name.value.clone(),
+            meaning,
+            description,
+            span: Some(name.span.clone()),
+        };
+        self.entries.insert(name.value.ascii.clone(), entry);
+        Ok(())
+    }
+
+    /// Forgets where names were declared, because what follows is another document.
+    pub fn leave_document(&mut self) {
+        self.entries.values_mut().for_each(|entry| entry.span = None);
+    }
+
+    /// The entry of a name, if it has one.
+    pub fn get(&self, name: &Name) -> Option<&Entry> {
+        self.entries.get(&name.ascii)
+    }
+
+    /// The entry of a name.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnostic`] with the nearest known name where it has none.
+    pub fn find(&self, name: &Name, span: &Span) -> Result<&Entry, Diagnostic> {
+        self.get(name).ok_or_else(|| {
+            let known = self.entries.values().flat_map(|entry| {
+                [entry.name.ascii.as_str(), entry.name.unicode.as_str()]
+            });
+            let candidates = known.chain(super::function::NAMES);
+            let help = match nearest(&name.unicode, candidates) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => "declare it as a parameter, an angle or a coordinate, or define it with `:=`".into(),
+            };
+            let message = format!("`{name}` is not known here");
+            Diagnostic::new(DiagnosticKind::UnknownName, span.clone(), message)
+                .with_label("unknown name")
+                .with_help(help)
+        })
+    }
+
+    /// What sort of quantity a name stands for, if it stands for one.
+    pub fn kind_of(&self, ascii: &str) -> Option<SymbolKind> {
+        match self.entries.get(ascii)?.meaning {
+            Meaning::Symbol { kind, .. } => Some(kind),
+            _ => None,
+        }
+    }
+
+    /// The entries, by ASCII name.
+    pub fn entries(&self) -> impl Iterator<Item = &Entry> {
+        self.entries.values()
+    }
+}

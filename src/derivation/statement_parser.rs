@@ -1,0 +1,267 @@
+//! Statements: what begins with a keyword, and definitions.
+
+use dashu_base::UnsignedAbs as _;
+
+use super::cursor::{Cursor, Parsed};
+use super::diagnostic::{Diagnostic, nearest};
+use super::lexer::TokenKind;
+use super::syntax::{
+    BinaryOperator, Expectation, Expression, Matching, Name, Node, Order, Spanned, Statement,
+    StatementKind,
+};
+use crate::algebra::number::Rational;
+
+/// The words a statement can begin with; anywhere else they are names like others.
+const KEYWORDS: [&str; 14] = [
+    "parameter",
+    "angle",
+    "coordinate",
+    "function",
+    "imaginary",
+    "assume",
+    "substitution",
+    "claim",
+    "refute",
+    "approximate",
+    "ill-formed",
+    "eigenpair",
+    "match",
+    "import",
+];
+
+/// Whether a statement can begin with this word.
+pub(crate) fn is_keyword(word: &str) -> bool {
+    // `ill-formed` is three tokens to the lexer.
+    word == "ill" || KEYWORDS.contains(&word)
+}
+
+impl Cursor<'_> {
+    /// A whole statement, up to the end of the tokens.
+    pub(crate) fn statement(&mut self) -> Parsed<Statement> {
+        let start = self.here().start;
+        let kind = self.statement_kind()?;
+        self.expect_end("")?;
+        Ok(Statement {
+            kind,
+            span: self.since(start),
+        })
+    }
+
+    fn statement_kind(&mut self) -> Parsed<StatementKind> {
+        if self.peek() != Some(TokenKind::Name) {
+            let help = "if this line continues the statement above it, indent it";
+            return Err(self
+                .expected("the keyword or the name that begins a statement")
+                .with_help(help));
+        }
+        // A keyword that is being defined is a name like others.
+        if matches!(self.peek_at(1), Some(TokenKind::Define | TokenKind::Comma)) {
+            return self.definition();
+        }
+        if self.accept_ill_formed() {
+            return self.assertion(Expectation::IllFormed);
+        }
+        let keyword = self.peek_text();
+        let rest: fn(&mut Self) -> Parsed<StatementKind> = match keyword {
+            "parameter" => Self::parameter,
+            "angle" => Self::angle,
+            "coordinate" => Self::coordinate,
+            "function" => Self::function,
+            "imaginary" => Self::imaginary,
+            "assume" => Self::assume,
+            "substitution" => Self::substitution,
+            "claim" => |cursor| cursor.assertion(Expectation::Holds),
+            "refute" => |cursor| cursor.assertion(Expectation::Refuted),
+            "approximate" => |cursor| cursor.assertion(Expectation::Approximate),
+            "eigenpair" => Self::eigenpair,
+            "match" => Self::matching,
+            "import" => Self::import,
+            _ => {
+                return self
+                    .definition()
+                    .map_err(|error| self.suggest_keyword(keyword, error));
+            }
+        };
+        self.advance();
+        rest(self)
+    }
+
+    /// `ill-formed` without a space is a keyword, not a difference.
+    fn accept_ill_formed(&mut self) -> bool {
+        let start = self.here().start;
+        let found = self.text_of(&(start..start + "ill-formed".len())) == "ill-formed"
+            && self.peek_at(1) == Some(TokenKind::Minus)
+            && self.peek_at(2) == Some(TokenKind::Name);
+        if found {
+            for _ in 0..3 {
+                self.advance();
+            }
+        }
+        found
+    }
+
+    /// Where a line is no definition, its first word may be a misspelt keyword.
+    fn suggest_keyword(&self, word: &str, error: Diagnostic) -> Diagnostic {
+        match nearest(word, KEYWORDS) {
+            Some(keyword) => error.with_help(format!("did you mean the keyword `{keyword}`?")),
+            None => error,
+        }
+    }
+
+    /// `(8): left == right to order 1 in ρ "…"`
+    fn assertion(&mut self, expectation: Expectation) -> Parsed<StatementKind> {
+        let label = self.label()?;
+        self.expect(TokenKind::Colon, "`:`")?;
+        let relation = self.relation()?;
+        let order = self.order()?;
+        let description = self.description()?;
+        let what = if order.is_none() {
+            "`to order`, a description or "
+        } else {
+            ""
+        };
+        self.expect_end(what)?;
+        Ok(StatementKind::Assertion {
+            expectation,
+            label,
+            relation,
+            order,
+            description,
+        })
+    }
+
+    /// `to order 1 in ρ, b_1`
+    fn order(&mut self) -> Parsed<Option<Order>> {
+        if !self.accept_word("to") {
+            return Ok(None);
+        }
+        self.expect_word("order")?;
+        let span = self.here();
+        let digits = self.peek_text();
+        self.expect(TokenKind::Number, "the order, a whole number")?;
+        let Ok(order) = digits.parse() else {
+            return Err(Diagnostic::syntax(span, format!("`{digits}` is no order"))
+                .with_label("expected a small whole number"));
+        };
+        self.expect_word("in")?;
+        Ok(Some(Order {
+            order,
+            small: self.names("the name of a small quantity")?,
+        }))
+    }
+
+    /// `(15, mode 1) of K, M: value ω_n^2 vector [0; 1; 0] "…"`
+    fn eigenpair(&mut self) -> Parsed<StatementKind> {
+        let label = self.label()?;
+        self.expect_word("of")?;
+        let stiffness = self.expression()?;
+        self.expect_behind_expression(TokenKind::Comma, "`,` and the second matrix")?;
+        let mass = self.expression()?;
+        self.expect_behind_expression(TokenKind::Colon, "`:`")?;
+        self.expect_word("value")?;
+        let value = self.expression()?;
+        if !self.accept_word("vector") {
+            return Err(self.expected_after_operand("`vector`"));
+        }
+        let vector = self.expression()?;
+        let description = self.description()?;
+        Ok(StatementKind::Eigenpair {
+            label,
+            stiffness,
+            mass,
+            value,
+            vector,
+            description,
+        })
+    }
+
+    /// `(20) closed_form: p with q in λ unknown b_1, b_2 at λ^3, λ neglect b_1*b_2 small ρ "…"`
+    fn matching(&mut self) -> Parsed<StatementKind> {
+        let label = self.label()?;
+        let name = self.name("the name of the matching")?;
+        self.expect(TokenKind::Colon, "`:`")?;
+        let exact = self.expression()?;
+        if !self.accept_word("with") {
+            return Err(self.expected_after_operand("`with` and the assumed form"));
+        }
+        let assumed = self.expression()?;
+        if !self.accept_word("in") {
+            return Err(self.expected_after_operand("`in` and the variable"));
+        }
+        let variable = self.name("the variable")?;
+        self.expect_word("unknown")?;
+        let unknowns = self.names("the name of an unknown")?;
+        self.expect_word("at")?;
+        let powers = self.powers(&variable.value)?;
+        let neglected = if self.accept_word("neglect") {
+            self.expressions()?
+        } else {
+            Vec::new()
+        };
+        let small = if self.accept_word("small") {
+            self.names("the name of a small quantity")?
+        } else {
+            Vec::new()
+        };
+        let description = self.description()?;
+        Ok(StatementKind::Match(Box::new(Matching {
+            label,
+            name,
+            exact,
+            assumed,
+            variable,
+            unknowns,
+            powers,
+            neglected,
+            small,
+            description,
+        })))
+    }
+
+    /// `λ^5, λ^3, λ, 1`, as exponents.
+    fn powers(&mut self, variable: &Name) -> Parsed<Vec<Spanned<u32>>> {
+        let mut powers = Vec::new();
+        loop {
+            let expression = self.expression()?;
+            let Some(value) = exponent(&expression, variable) else {
+                let message = format!("this is not a power of `{variable}`");
+                return Err(Diagnostic::syntax(expression.span, message)
+                    .with_label(format!("expected `{variable}^2`, `{variable}` or `1`, say")));
+            };
+            powers.push(Spanned {
+                value,
+                span: expression.span,
+            });
+            if self.accept(TokenKind::Comma).is_none() {
+                return Ok(powers);
+            }
+        }
+    }
+
+    fn expect_behind_expression(&mut self, kind: TokenKind, what: &str) -> Parsed<()> {
+        match self.accept(kind) {
+            Some(_) => Ok(()),
+            None => Err(self.expected_after_operand(what)),
+        }
+    }
+}
+
+/// The exponent of a power of the variable.
+fn exponent(power: &Expression, variable: &Name) -> Option<u32> {
+    match &power.node {
+        Node::Number(number) if *number == Rational::ONE => Some(0),
+        Node::Name(name) if name == variable => Some(1),
+        Node::Binary(BinaryOperator::Power, base, exponent)
+            if base.node == Node::Name(variable.clone()) =>
+        {
+            let Node::Number(exponent) = &exponent.node else {
+                return None;
+            };
+            let whole = exponent
+                .is_int()
+                .then(|| exponent.numerator().unsigned_abs())?;
+            u32::try_from(whole).ok()
+        }
+        _ => None,
+    }
+}

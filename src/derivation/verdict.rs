@@ -1,0 +1,121 @@
+//! What became of the assertions of a document.
+
+use crate::algebra::number::Rational;
+
+use super::condition::Requirement;
+use super::syntax::{Expectation, Expression, Label, Name, Relation};
+
+/// What the engine found of an assertion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// True, with nothing assumed but what the document declares.
+    Holds,
+    /// True where the conditions hold that its steps needed.
+    HoldsWhere,
+    /// True up to the stated order in the small quantities, and not exactly.
+    Approximate,
+    /// False; a point shows it.
+    Refuted,
+    /// Without meaning: units or shapes do not match.
+    IllFormed,
+    /// The engine cannot tell.
+    Undecided,
+}
+
+impl Verdict {
+    /// As JSON and terminal show it.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Verdict::Holds => "holds",
+            Verdict::HoldsWhere => "holds where",
+            Verdict::Approximate => "approximate",
+            Verdict::Refuted => "refuted",
+            Verdict::IllFormed => "ill-formed",
+            Verdict::Undecided => "undecided",
+        }
+    }
+
+    /// Whether an author who expected this got it; `undecided` is never expected.
+    pub const fn meets(self, expectation: Expectation) -> bool {
+        matches!(
+            (expectation, self),
+            (Expectation::Holds, Verdict::Holds | Verdict::HoldsWhere)
+                | (Expectation::Refuted, Verdict::Refuted)
+                | (Expectation::Approximate, Verdict::Approximate)
+                | (Expectation::IllFormed, Verdict::IllFormed)
+        )
+    }
+}
+
+/// A condition as a person reads it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Condition {
+    /// The expression.
+    pub expression: Expression,
+    /// What it must be.
+    pub requirement: Requirement,
+}
+
+/// A point at which two sides differ.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Witness {
+    /// ASCII expressions such as `m` or `cos(alpha_0)`, and their values.
+    pub point: Vec<(String, Rational)>,
+    /// The row and column, counted from 1, at which two matrices differ.
+    pub entry: Option<(usize, usize)>,
+    /// The left side there, exactly.
+    pub left: String,
+    /// The right side there, exactly.
+    pub right: String,
+}
+
+/// How a verdict was reached.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Explanation {
+    /// The definitions that the assertion rests on, each before those that use it.
+    pub definitions: Vec<(Name, Expression)>,
+    /// The normal forms of the left side, entry by entry.
+    pub left: Vec<Expression>,
+    /// The normal forms of the right side, entry by entry.
+    pub right: Vec<Expression>,
+    /// The unit of the first entry of both sides.
+    pub unit: Option<String>,
+    /// At how many random points both sides were compared.
+    pub points: usize,
+}
+
+/// An assertion of a document and what became of it.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// How the document calls it.
+    pub label: Label,
+    /// The line on which it stands, counted from 1.
+    pub line: usize,
+    /// What it says.
+    pub statement: Relation,
+    /// In words.
+    pub description: Option<String>,
+    /// What the author expects.
+    pub expectation: Expectation,
+    /// What the engine found.
+    pub verdict: Verdict,
+    /// What the steps needed.
+    pub conditions: Vec<Condition>,
+    /// What an approximation leaves out: the order and the small quantities.
+    pub neglected: Option<(u32, Vec<Name>)>,
+    /// Of an approximation, the leading term of left − right.
+    pub residual: Option<Expression>,
+    /// Of a refutation, where the sides differ.
+    pub witness: Option<Witness>,
+    /// Why an assertion is ill-formed or undecided.
+    pub reason: Option<String>,
+    /// How the verdict was reached.
+    pub explanation: Explanation,
+}
+
+impl Claim {
+    /// Whether the verdict is the one that the author expects.
+    pub fn as_expected(&self) -> bool {
+        self.verdict.meets(self.expectation)
+    }
+}

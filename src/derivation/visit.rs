@@ -1,0 +1,77 @@
+//! Walking through expressions.
+
+use std::collections::BTreeSet;
+
+use super::syntax::{Expression, Name, Node, Place};
+
+impl Expression {
+    /// Calls a function for every name in the expression, from left to right.
+    pub fn visit_names(&self, visit: &mut dyn FnMut(&Name)) {
+        match &self.node {
+            Node::Number(_) => {}
+            Node::Name(name) | Node::Derivative(name, _) => visit(name),
+            Node::Negative(inner) => inner.visit_names(visit),
+            Node::Binary(_, left, right) => {
+                left.visit_names(visit);
+                right.visit_names(visit);
+            }
+            Node::Call { function, arguments, .. } => {
+                visit(function);
+                arguments.iter().for_each(|argument| argument.visit_names(visit));
+            }
+            Node::Matrix(rows) => rows.iter().flatten().for_each(|entry| entry.visit_names(visit)),
+            Node::Index(matrix, indices) => {
+                matrix.visit_names(visit);
+                indices.iter().for_each(|index| index.visit_names(visit));
+            }
+            Node::At(inner, place) => {
+                inner.visit_names(visit);
+                if let Place::Replacements(replacements) = place {
+                    for replacement in replacements {
+                        replacement.value.visit_names(visit);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The ASCII names under which a point lists the values that a normal form contains: `m`,
+    /// `dt(x)`, `dC_D`, and `cos(a)`, `sin(a)` for every angle a within a sine or cosine.
+    pub fn collect_values(&self, values: &mut BTreeSet<String>) {
+        match &self.node {
+            Node::Call { function, arguments, .. } if matches!(&*function.ascii, "cos" | "sin") => {
+                for argument in arguments {
+                    argument.visit_names(&mut |name| {
+                        values.insert(format!("cos({})", name.ascii));
+                        values.insert(format!("sin({})", name.ascii));
+                    });
+                }
+            }
+            Node::Call { function, arguments, .. } if function.ascii == "dt" => {
+                let mut inner = BTreeSet::new();
+                arguments.iter().for_each(|argument| argument.collect_values(&mut inner));
+                values.extend(inner.into_iter().map(|name| format!("dt({name})")));
+            }
+            Node::Name(name) => {
+                values.insert(name.ascii.clone());
+            }
+            Node::Derivative(name, order) => {
+                values.insert(format!("{}{}", "d".repeat(*order as usize), name.ascii));
+            }
+            Node::Number(_) => {}
+            Node::Negative(inner) | Node::At(inner, _) | Node::Index(inner, _) => {
+                inner.collect_values(values);
+            }
+            Node::Binary(_, left, right) => {
+                left.collect_values(values);
+                right.collect_values(values);
+            }
+            Node::Call { arguments, .. } => {
+                arguments.iter().for_each(|argument| argument.collect_values(values));
+            }
+            Node::Matrix(rows) => {
+                rows.iter().flatten().for_each(|entry| entry.collect_values(values));
+            }
+        }
+    }
+}

@@ -1,0 +1,7 @@
+//! Derives, audits and compiles closed-form stability criteria, exactly.
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+pub mod algebra;
+pub mod derivation;
+pub mod report;

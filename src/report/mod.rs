@@ -1,0 +1,1 @@
+//! What was found, as a person and as a program reads it.
