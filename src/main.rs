@@ -6,7 +6,7 @@ fn main() {
     let source = SourceFile::new(path.clone(), std::fs::read_to_string(&path).unwrap());
     let start = std::time::Instant::now();
     match audit(&source, &L) {
-        Err(rejected) => for d in &rejected.diagnostics { print!("{}", render(d, &rejected.source, true)); },
+        Err(rejected) => for d in &rejected.diagnostics { print!("{}", render(d, &rejected.source, false)); },
         Ok(a) => {
             for c in &a.claims {
                 println!("{} {:<24} {:<12} {}", if c.as_expected() {"ok "} else {"!!!"}, c.label.text, c.verdict.text(), Notation::Unicode.relation(&c.statement).chars().take(100).collect::<String>());

@@ -2,9 +2,9 @@
 
 use std::collections::BinaryHeap;
 
-use dashu_base::DivRem;
+use dashu_base::{BitTest, DivRem};
 
-use super::budget::{Budget, Exhausted, check_bits, check_terms, words};
+use super::budget::{Budget, Exhausted, check_bits, check_exponent, check_terms, words};
 use super::degrees::Degrees;
 use super::monomial::Monomial;
 use super::number::Integer;
@@ -120,10 +120,7 @@ impl Polynomial {
 
 /// `symbol^exponent`.
 fn power_of(symbol: Symbol, exponent: u32) -> Result<Monomial, Exhausted> {
-    Ok(Monomial::power(
-        symbol,
-        super::budget::check_exponent(exponent.into())?,
-    ))
+    Ok(Monomial::power(symbol, check_exponent(exponent.into())?))
 }
 
 /// The quotient of two terms.
@@ -181,7 +178,7 @@ fn divide<K: Key>(
         if coefficient.is_zero() {
             continue;
         }
-        check_bits(dashu_base::BitTest::bit_len(&coefficient))?;
+        check_bits(coefficient.bit_len())?;
         let Some(term_key) = key.quotient(leading_key, &frame) else {
             return Ok(None);
         };

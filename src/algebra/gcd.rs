@@ -110,8 +110,12 @@ fn primitive_gcd(
             return Ok(divisor.clone().with_positive_leading());
         }
     }
-    let degree = |symbol| left_degrees.get(symbol).min(right_degrees.get(symbol));
-    let Some((symbol, bound)) = bounds.iter().min_by_key(|&(symbol, _)| degree(symbol)) else {
+    // The fewer remainders there are down to the gcd, the less they grow.
+    let effort = |&(symbol, bound): &(Symbol, u32)| {
+        let degree = left_degrees.get(symbol).min(right_degrees.get(symbol));
+        (degree - bound, degree)
+    };
+    let Some((symbol, bound)) = bounds.iter().min_by_key(effort) else {
         return Ok(Polynomial::one());
     };
     let (left_content, left) = split_content(left, symbol, budget)?;

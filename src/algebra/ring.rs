@@ -16,9 +16,8 @@ use super::symbol::Symbol;
 /// field of fractions.
 ///
 /// Each relation gives the square of one symbol in terms of earlier ones. Their leading terms have
-/// no symbol in common, so folding squares away is a normal form; and a denominator is freed of
-/// such symbols by its conjugates. Hence an element has one form, N/D: N at most linear in every
-/// sin A, i and w, D free of them, gcd(N, D) = 1 and the leading coefficient of D positive.
+/// no symbol in common, so folding squares away is a normal form of polynomials: an element is 0
+/// exactly if its numerator folds to 0.
 #[derive(Debug)]
 pub struct Ring {
     generators: Vec<Generator>,
@@ -144,12 +143,9 @@ impl Ring {
         }
     }
 
-    /// The normal form of a product.
-    fn multiply(&self, a: &Polynomial, b: &Polynomial) -> Result<Polynomial, AlgebraError> {
-        self.reduce(&a.multiply(b, &self.budget)?)
-    }
-
-    /// The one form of N/D.
+    /// N/D with both sides in normal form, in lowest terms, and with no root and no i below the line.
+    ///
+    /// It is 0 exactly if its numerator is the polynomial 0.
     ///
     /// # Errors
     ///
@@ -159,19 +155,57 @@ impl Ring {
         numerator: &Polynomial,
         denominator: &Polynomial,
     ) -> Result<Fraction, AlgebraError> {
+        self.rationalize(numerator, denominator, |generator| {
+            matches!(generator, Generator::Root { .. } | Generator::ImaginaryUnit)
+        })
+    }
+
+    /// The one form that equal elements share: no sine is left below the line either.
+    ///
+    /// Arithmetic does without it, because freeing a denominator of sines can make it very long.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::Exhausted`]
+    pub fn canonical(&self, element: &Fraction) -> Result<Fraction, AlgebraError> {
+        self.rationalize(element.numerator(), element.denominator(), Generator::is_quadratic)
+    }
+
+    /// N/D, freed of unwanted symbols w below the line: D = a + b w times its conjugate a − b w is
+    /// free of w.
+    fn rationalize(
+        &self,
+        numerator: &Polynomial,
+        denominator: &Polynomial,
+        unwanted: impl Fn(&Generator) -> bool,
+    ) -> Result<Fraction, AlgebraError> {
         let mut numerator = self.reduce(numerator)?;
         let mut denominator = self.reduce(denominator)?;
-        while let Some(symbol) = self.quadratic_symbols(&denominator).first().copied() {
-            // D = a + b w; times its conjugate a − b w it is free of w.
+        loop {
+            let symbols = self.quadratic_symbols(&denominator).into_iter();
+            let Some(symbol) = symbols.into_iter().find(|symbol| unwanted(self.generator(*symbol)))
+            else {
+                return Fraction::new(numerator, denominator, &self.budget);
+            };
             let mut coefficients = denominator.coefficients_in(symbol);
             if let Some(linear) = coefficients.get_mut(&1) {
                 *linear = -&*linear;
             }
             let conjugate = Polynomial::from_coefficients_in(symbol, &coefficients)?;
-            numerator = self.multiply(&numerator, &conjugate)?;
-            denominator = self.multiply(&denominator, &conjugate)?;
+            numerator = self.reduce(&numerator.multiply(&conjugate, &self.budget)?)?;
+            denominator = self.reduce(&denominator.multiply(&conjugate, &self.budget)?)?;
         }
-        Fraction::new(numerator, denominator, &self.budget)
+    }
+
+    /// A result of the arithmetic of fractions with its squares folded away.
+    fn fold(&self, element: Fraction) -> Result<Fraction, AlgebraError> {
+        let folded = |side: &Polynomial| {
+            self.quadratic_symbols(side).into_iter().all(|symbol| side.degree_in(symbol) < 2)
+        };
+        if folded(element.numerator()) && folded(element.denominator()) {
+            return Ok(element);
+        }
+        self.fraction(element.numerator(), element.denominator())
     }
 
     /// aⁿ, for negative n as well.
@@ -239,14 +273,23 @@ impl Ring {
     /// [`AlgebraError::Exhausted`], [`AlgebraError::TooManySymbols`].
     pub fn cosine_and_sine(&mut self, angle: &Angle) -> Result<(Fraction, Fraction), AlgebraError> {
         let mut result = (self.one(), self.zero());
-        // The angle of a vector (x, y) of length w has the cosine x/w and the sine y/w.
         let mut free = angle.clone();
         for (symbol, k) in angle.coefficients() {
-            if let Generator::Direction { x, y, length } = self.generator(symbol) {
-                let pair = (self.quotient(x, length)?, self.quotient(y, length)?);
-                result = self.turn(result, &self.multiple(&pair, k)?)?;
-                free = free.split_off(symbol).0;
-            }
+            let pair = match self.generator(symbol).clone() {
+                // The angle of a vector (x, y) of length w has the cosine x/w and the sine y/w.
+                Generator::Direction { x, y, length } => {
+                    (self.quotient(&x, &length)?, self.quotient(&y, &length)?)
+                }
+                // What changes with time stands apart from what does not.
+                Generator::Coordinate { .. } => {
+                    let angle = Angle::new([(symbol, Integer::ONE)]);
+                    let BasisAngle { cosine, sine, .. } = self.basis_angle(angle)?;
+                    (self.element(cosine), self.element(sine))
+                }
+                _ => continue,
+            };
+            result = self.turn(result, &self.multiple(&pair, k)?)?;
+            free = free.split_off(symbol).0;
         }
         if free.is_zero() {
             return Ok(result);
@@ -257,10 +300,7 @@ impl Ring {
             Decomposition::Fractional => return Err(AlgebraError::FractionalAngle),
             Decomposition::Independent => {
                 let negative = free.is_negative();
-                let angle = if negative { free.negative() } else { free };
-                let cosine = self.symbol(Generator::Cosine { angle: angle.clone() })?;
-                let sine = self.symbol(Generator::Sine { angle: angle.clone() })?;
-                self.basis.push(BasisAngle { angle, cosine, sine });
+                self.basis_angle(if negative { free.negative() } else { free })?;
                 let mut multiples = vec![Integer::ZERO; known.len()];
                 multiples.push(if negative { -Integer::ONE } else { Integer::ONE });
                 multiples
@@ -271,6 +311,17 @@ impl Ring {
             result = self.turn(result, &self.multiple(&pair, k)?)?;
         }
         Ok(result)
+    }
+
+    /// The cosine and sine of an angle of the basis, which joins it if it is new.
+    fn basis_angle(&mut self, angle: Angle) -> Result<BasisAngle, AlgebraError> {
+        if let Some(known) = self.basis.iter().find(|known| known.angle == angle) {
+            return Ok(known.clone());
+        }
+        let cosine = self.symbol(Generator::Cosine { angle: angle.clone() })?;
+        let sine = self.symbol(Generator::Sine { angle: angle.clone() })?;
+        self.basis.push(BasisAngle { angle, cosine, sine });
+        self.basis.last().cloned().ok_or(AlgebraError::TooManySymbols)
     }
 
     /// (cos(A + B), sin(A + B)).
@@ -380,8 +431,7 @@ impl Arithmetic for Ring {
     }
 
     fn sum(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, AlgebraError> {
-        // Reduced numerators over denominators free of roots stay so.
-        a.sum(b, &self.budget)
+        self.fold(a.sum(b, &self.budget)?)
     }
 
     fn negative(&self, a: &Fraction) -> Fraction {
@@ -389,13 +439,7 @@ impl Arithmetic for Ring {
     }
 
     fn product(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, AlgebraError> {
-        let product = a.product(b, &self.budget)?;
-        let squares = self.quadratic_symbols(product.numerator()).into_iter();
-        if squares.map(|symbol| product.numerator().degree_in(symbol)).all(|degree| degree < 2) {
-            return Ok(product);
-        }
-        let numerator = self.reduce(product.numerator())?;
-        Fraction::new(numerator, product.denominator().clone(), &self.budget)
+        self.fold(a.product(b, &self.budget)?)
     }
 }
 

@@ -42,6 +42,9 @@ const SMALL: [Size; 3] = [
     Size { numerator: 40, denominator: 9 },
 ];
 
+/// Longer normal forms are not shown with a verdict.
+const MOST_TERMS_TO_SHOW: usize = 100;
+
 /// How far beyond the stated order the leading term of a residual is looked for.
 const RESIDUAL_ORDERS: u32 = 3;
 
@@ -255,9 +258,13 @@ impl Elaborator {
         let mut definitions = Vec::new();
         collect_definitions(&assertion.relation.left, &self.scope, &mut definitions);
         collect_definitions(&assertion.relation.right, &self.scope, &mut definitions);
-        let present = |value: &Value| -> Result<Vec<Expression>, Diagnostic> {
-            let entries = value.entries().iter();
-            entries.map(|entry| self.present(&entry.value, &assertion.span)).collect()
+        let present = |value: &Value| -> Result<Vec<Option<Expression>>, Diagnostic> {
+            let entries = value.entries().iter().map(|entry| {
+                let terms = entry.value.numerator().len() + entry.value.denominator().len();
+                let short = (terms <= MOST_TERMS_TO_SHOW).then_some(&entry.value);
+                short.map(|value| self.present(value, &assertion.span)).transpose()
+            });
+            entries.collect()
         };
         let unit = left.entries().iter().chain(right.entries()).find_map(|entry| entry.unit.clone());
         Ok(Explanation {
@@ -545,7 +552,7 @@ fn first_difference(left: &Numbers, right: &Numbers) -> Option<(usize, usize)> {
 /// The names of a point that the sides of an assertion contain: `m`, `dt(x)`, `cos(alpha_0)`.
 fn shown_names(explanation: &Explanation) -> std::collections::BTreeSet<String> {
     let mut names = std::collections::BTreeSet::new();
-    for expression in explanation.left.iter().chain(&explanation.right) {
+    for expression in explanation.left.iter().chain(&explanation.right).flatten() {
         expression.collect_values(&mut names);
     }
     names

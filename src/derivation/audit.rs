@@ -86,7 +86,9 @@ pub fn audit(source: &SourceFile, library: &dyn Library) -> Result<Audit, Box<Re
     };
     let mut claims = Vec::new();
     for finding in &read.findings {
+        let t = std::time::Instant::now();
         claims.push(judge.judge(finding).map_err(rejected)?);
+            if t.elapsed().as_millis() >= 2 { eprintln!("JUDGE {} {:?}", finding.assertion.line, t.elapsed()); }
     }
     for check in &read.checks {
         check.confirm(&mut judge).map_err(rejected)?;
@@ -131,7 +133,9 @@ impl Reader<'_> {
         for statement in &document.statements {
             self.elaborator.fresh();
             let line = line_of(&source.text, statement.span.start);
+            let t = std::time::Instant::now();
             self.execute(statement, line, &mut read).map_err(|error| reject(vec![error]))?;
+            if t.elapsed().as_millis() >= 2 { eprintln!("TIME {line} {:?}", t.elapsed()); }
         }
         Ok(read)
     }

@@ -49,6 +49,12 @@ impl<'document> Cursor<'document> {
             .map(|token| token.kind)
     }
 
+    /// Whether there is such a token in the rest of the statement.
+    pub(crate) fn is_ahead(&self, kind: TokenKind) -> bool {
+        let rest = self.tokens.get(self.position..).unwrap_or_default();
+        rest.iter().any(|token| token.kind == kind)
+    }
+
     /// The text of the next token; empty at the end.
     pub(crate) fn peek_text(&self) -> &'document str {
         self.tokens
@@ -67,6 +73,13 @@ impl<'document> Cursor<'document> {
             Some(token) => token.span.clone(),
             None => self.previous_end()..self.previous_end(),
         }
+    }
+
+    /// Where the next few tokens stand, together.
+    pub(crate) fn span_of_next(&self, count: usize) -> Span {
+        let last = self.tokens.get(self.position..self.position + count);
+        let end = last.and_then(<[Token]>::last).map(|token| token.span.end);
+        self.here().start..end.unwrap_or_else(|| self.here().end)
     }
 
     /// From a beginning to the end of the token before the position.
@@ -131,16 +144,16 @@ impl<'document> Cursor<'document> {
         if self.accept(kind).is_some() {
             return Ok(());
         }
-        let bracket = self.text_of(open);
         if self.peek().is_some() {
-            let closing = match kind {
+            let what = match kind {
                 TokenKind::CloseRound => "`)`",
                 TokenKind::CloseSquare => "`]`",
                 _ => "`|`",
             };
-            let error = self.expected_after_operand(&format!("`,` or {closing}"));
+            let error = self.expected_after_operand(what);
             return Err(error.with_secondary(open.clone(), "the bracket is opened here"));
         }
+        let bracket = self.text_of(open);
         Err(
             Diagnostic::syntax(open.clone(), format!("`{bracket}` is never closed"))
                 .with_label("opened here")
@@ -194,10 +207,7 @@ impl<'document> Cursor<'document> {
                 span,
             });
         }
-        let message = format!(
-            "`{}` is a rate, where {what} must stand",
-            self.text_of(&span)
-        );
+        let message = format!("expected {what}, found the rate `{}`", self.text_of(&span));
         Err(Diagnostic::syntax(span, message)
             .with_label("this has a dot")
             .with_help(format!("name `{}` without the dot", dotted.name)))
@@ -217,6 +227,7 @@ impl<'document> Cursor<'document> {
         if self.peek().is_none() {
             return Ok(());
         }
-        Err(self.expected_after_operand(&format!("{what}the end of the statement")))
+        let unexpected = || self.expected_after_operand(&format!("{what}the end of the statement"));
+        Err(self.surplus_bracket().unwrap_or_else(unexpected))
     }
 }

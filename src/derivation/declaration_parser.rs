@@ -100,14 +100,15 @@ impl Cursor<'_> {
 
     /// `X := …`, `u, v := …, …`, `R(β) := …`
     pub(crate) fn definition(&mut self) -> Parsed<StatementKind> {
-        let names = self.names("the name of what is defined")?;
+        let start = self.here().start;
+        let names = self.names("a name")?;
+        let targets = self.since(start);
         let open = self.here();
         let mut arguments = Vec::new();
         if self.accept(TokenKind::OpenRound).is_some() {
             arguments = self.names("the name of an argument")?;
             self.expect_closing(TokenKind::CloseRound, &open)?;
         }
-        let targets = self.here();
         if self.accept(TokenKind::Define).is_none() {
             let help = "a definition is written `X := …`";
             return Err(self.expected("`:=`").with_help(help));
@@ -121,18 +122,19 @@ impl Cursor<'_> {
         }
         let start = self.here().start;
         let values = self.expressions()?;
-        if values.len() != names.len() {
-            let message = format!(
-                "{} and {} do not pair up",
-                count(names.len(), "name"),
-                count(values.len(), "value")
+        if self.peek() == Some(TokenKind::Text) {
+            return Err(
+                Diagnostic::syntax(self.here(), "a definition has no description")
+                    .with_label("not expected here")
+                    .with_help("write a comment behind `#`"),
             );
+        }
+        if values.len() != names.len() {
+            let (given, wanted) = (count(values.len(), "value"), count(names.len(), "name"));
+            let message = format!("{wanted} and {given} do not pair up");
             return Err(Diagnostic::syntax(self.since(start), message)
-                .with_label(count(values.len(), "value"))
-                .with_secondary(
-                    targets.start.min(names[0].span.start)..targets.start,
-                    count(names.len(), "name"),
-                )
+                .with_label(given)
+                .with_secondary(targets, wanted)
                 .with_help("give one value for each name"));
         }
         Ok(StatementKind::Definition {
@@ -157,7 +159,7 @@ impl Cursor<'_> {
     }
 
     fn declared_name(&mut self) -> Parsed<Spanned<Name>> {
-        let spelling = self.name("the name of what is declared")?;
+        let spelling = self.name("a name")?;
         if !self.accept_word("as") {
             return Ok(spelling);
         }
@@ -174,9 +176,9 @@ impl Cursor<'_> {
                 ascii.value.ascii
             )));
         }
-        let name = Name::with_ascii(self.text_of(&spelling.span), written);
-        self.aliases
-            .declare(&Name::new(self.text_of(&spelling.span)), &name);
+        let spelled = self.text_of(&spelling.span);
+        let name = Name::with_ascii(spelled, &Name::new(written).ascii);
+        self.aliases.declare(&Name::new(spelled), &name);
         Ok(Spanned {
             value: name,
             span: self.since(spelling.span.start),
@@ -187,20 +189,14 @@ impl Cursor<'_> {
     fn unit(&mut self) -> Parsed<Spanned<String>> {
         if self.accept(TokenKind::Colon).is_none() {
             let help = "give the unit behind `:`, as in `: kg/m`, or `: 1` for a plain number";
-            return Err(self
-                .expected_in_declaration("`:` and a unit")
-                .with_help(help));
+            return Err(self.expected("`:` and a unit").with_help(help));
         }
         let start = self.here().start;
         while self.peek().is_some_and(|kind| !ends_unit(kind)) {
             self.advance();
         }
         let span = self.since(start);
-        if span.is_empty()
-            || self
-                .previous()
-                .is_some_and(|token| token.kind == TokenKind::Colon)
-        {
+        if self.here().start == start {
             return Err(self
                 .expected("a unit")
                 .with_help("the unit of a plain number is `1`"));
@@ -218,13 +214,7 @@ impl Cursor<'_> {
             Some(TokenKind::Greater) => Some(Sign::Positive),
             Some(TokenKind::GreaterOrEqual) => Some(Sign::NonNegative),
             Some(TokenKind::NotEqual) => Some(Sign::NonZero),
-            Some(kind)
-                if ends_unit(kind)
-                    && kind != TokenKind::Text
-                    && kind != TokenKind::UnclosedText =>
-            {
-                None
-            }
+            Some(kind) if is_comparison(kind) => None,
             _ => return Ok(None),
         };
         self.advance();
@@ -242,19 +232,15 @@ impl Cursor<'_> {
             .with_help("write other assumptions as `assume L_g < r`")),
         }
     }
-
-    /// Between names and units two words side by side are no product.
-    fn expected_in_declaration(&self, what: &str) -> Diagnostic {
-        let error = self.expected(what);
-        match self.peek() {
-            Some(TokenKind::Name) => error.with_label(format!("expected `,` or {what}")),
-            _ => error,
-        }
-    }
 }
 
 /// Whether a unit ends before this token.
 fn ends_unit(kind: TokenKind) -> bool {
+    let is_text = matches!(kind, TokenKind::Text | TokenKind::UnclosedText);
+    is_text || is_comparison(kind) || kind == TokenKind::Unknown
+}
+
+fn is_comparison(kind: TokenKind) -> bool {
     matches!(
         kind,
         TokenKind::Greater
@@ -264,8 +250,6 @@ fn ends_unit(kind: TokenKind) -> bool {
             | TokenKind::LessOrEqual
             | TokenKind::Equals
             | TokenKind::EqualsEquals
-            | TokenKind::Text
-            | TokenKind::UnclosedText
     )
 }
 

@@ -31,6 +31,8 @@ pub enum DiagnosticKind {
     Inconsistent,
     /// An assertion does not turn out as its author expects.
     Expectation,
+    /// The two routes to a verdict disagree: a mistake of this program.
+    Disagreement,
     /// A fenced block is not closed.
     UnbalancedFence,
     /// A file is not UTF-8.
@@ -43,8 +45,6 @@ pub enum DiagnosticKind {
     Budget,
     /// Something has a meaning, but this program cannot compute with it.
     Unsupported,
-    /// The two routes to a verdict disagree: a mistake of this program.
-    Disagreement,
 }
 
 impl DiagnosticKind {
@@ -63,13 +63,13 @@ impl DiagnosticKind {
             Self::Singular => "singular",
             Self::Inconsistent => "inconsistent",
             Self::Expectation => "expectation",
+            Self::Disagreement => "disagreement",
             Self::UnbalancedFence => "unbalanced-fence",
             Self::NotUtf8 => "not-utf-8",
             Self::MissingFile => "missing-file",
             Self::CircularImport => "circular-import",
             Self::Budget => "budget",
             Self::Unsupported => "unsupported",
-            Self::Disagreement => "disagreement",
         }
     }
 }
@@ -149,10 +149,15 @@ impl SourceFile {
         }
     }
 
-    /// Reads a document's bytes; the error can be rendered with [`SourceFile::from_bytes_lossy`].
+    /// Reads a document's bytes.
+    ///
+    /// # Errors
+    ///
+    /// Bytes that are not UTF-8; [`SourceFile::from_bytes_lossy`] gives the file to render that error with.
     pub fn from_bytes(path: impl Into<String>, bytes: &[u8]) -> Result<Self, Diagnostic> {
         match std::str::from_utf8(bytes) {
-            Ok(text) => Ok(Self::new(path, text)),
+            // Some editors begin a file with a mark that is no part of its text.
+            Ok(text) => Ok(Self::new(path, text.trim_start_matches('\u{FEFF}'))),
             Err(error) => {
                 let offset = error.valid_up_to();
                 let message = format!("the document is not UTF-8 from byte {offset} on");
@@ -199,6 +204,13 @@ pub fn render(diagnostic: &Diagnostic, source: &SourceFile, colour: bool) -> Str
         }
     };
     let others = diagnostic.secondary.iter();
+    let mut marks = vec![(&diagnostic.span, diagnostic.label.as_str(), Color::Red)];
+    marks.extend(others.map(|(span, text)| (span, text.as_str(), Color::Blue)));
+    // In any other order the lines are shown in several pieces.
+    marks.sort_by_key(|(span, ..)| span.start);
+    let labels = marks
+        .into_iter()
+        .map(|(span, text, paint)| mark(span, text, paint));
     let mut report = Report::build(ReportKind::Error, place(&diagnostic.span))
         .with_config(
             Config::new()
@@ -207,8 +219,7 @@ pub fn render(diagnostic: &Diagnostic, source: &SourceFile, colour: bool) -> Str
         )
         .with_code(diagnostic.kind.code())
         .with_message(&diagnostic.message)
-        .with_label(mark(&diagnostic.span, &diagnostic.label, Color::Red))
-        .with_labels(others.map(|(span, text)| mark(span, text, Color::Blue)));
+        .with_labels(labels);
     if let Some(help) = &diagnostic.help {
         report.set_help(help);
     }
@@ -261,7 +272,8 @@ mod tests {
             }
         }
         let empty = SourceFile::new("empty.md", "");
-        assert!(render(&Diagnostic::syntax(3..2, "no"), &empty, false).contains("empty.md"));
+        let backwards = Diagnostic::syntax(Span { start: 3, end: 2 }, "no");
+        assert!(render(&backwards, &empty, false).contains("empty.md"));
     }
 
     #[test]
@@ -279,6 +291,12 @@ mod tests {
         assert_eq!((error.kind.code(), error.span.start), ("not-utf-8", 5));
         let source = SourceFile::from_bytes_lossy("paper.md", bytes);
         assert!(render(&error, &source, false).contains("paper.md:2:1"));
+    }
+
+    #[test]
+    fn a_mark_before_the_text_is_left_out() {
+        let source = SourceFile::from_bytes("paper.md", b"\xef\xbb\xbfa").unwrap();
+        assert_eq!(source.text, "a");
     }
 
     #[test]

@@ -26,12 +26,20 @@ pub struct Document {
     pub aliases: Aliases,
 }
 
-/// Reads a document, or finds all its mistakes.
+/// Reads a document.
+///
+/// # Errors
+///
+/// All mistakes against the grammar, in the order of their places; at most a hundred.
 pub fn parse_document(source: &SourceFile) -> Result<Document, Vec<Diagnostic>> {
     parse_document_with(source, &Aliases::default())
 }
 
 /// Reads a document that imports others, with the spellings that those declare.
+///
+/// # Errors
+///
+/// Those of [`parse_document`].
 pub fn parse_document_with(
     source: &SourceFile,
     imported: &Aliases,
@@ -100,22 +108,21 @@ fn statement_ranges(text: &str, tokens: &[Token]) -> Vec<Span> {
 
 /// Whether a line cannot be inside of a bracket, so that a bracket above it was forgotten.
 fn surely_begins(text: &str, tokens: &[Token]) -> bool {
-    let word = |token: &Token| text.get(token.span.clone()).unwrap_or_default();
-    let mut line = tokens.iter().enumerate();
-    let mut line = line
-        .by_ref()
-        .take_while(|(index, token)| *index == 0 || token.position == LinePosition::Inside);
-    let Some((_, first)) = line.next() else {
+    let [first, rest @ ..] = tokens else {
         return false;
     };
-    let follows = tokens.get(1).map(|token| token.kind);
-    let is_statement = first.kind == TokenKind::Name
-        && is_keyword(word(first))
-        && !matches!(
-            follows,
-            Some(TokenKind::Comma | TokenKind::Semicolon | TokenKind::CloseSquare)
-        );
-    is_statement || line.any(|(_, token)| token.kind == TokenKind::Define)
+    let word = text.get(first.span.clone()).unwrap_or_default();
+    let mut line = rest
+        .iter()
+        .take_while(|token| token.position == LinePosition::Inside)
+        .map(|token| token.kind)
+        .peekable();
+    // `angle,` and `angle]` are an entry of a matrix that is called like a keyword.
+    let is_entry = matches!(
+        line.peek(),
+        Some(TokenKind::Comma | TokenKind::Semicolon | TokenKind::CloseSquare)
+    );
+    is_keyword(word) && !is_entry || line.any(|kind| kind == TokenKind::Define)
 }
 
 /// An error for every label whose identifier an earlier one has.

@@ -493,8 +493,12 @@ impl Elaborator {
             let quantity = self.scalar(target)?;
             let symbol = self.symbol(&quantity, &target.span)?;
             let image = self.scalar(value)?;
-            super::quantity::common_unit(&quantity.unit, &image.unit)
-                .map_err(|error| sides(error, target, value, span))?;
+            // A bare number is read in the SI unit of what it replaces.
+            let bare = image.value.as_constant().is_some() && image.unit == Some(Unit::one());
+            if !bare {
+                super::quantity::common_unit(&quantity.unit, &image.unit)
+                    .map_err(|error| sides(error, target, value, span))?;
+            }
             if substitution.insert(symbol, image.value).is_some() {
                 let message = "this is replaced twice";
                 return Err(Diagnostic::new(DiagnosticKind::Duplicate, target.span.clone(), message)

@@ -19,19 +19,28 @@ const MAXIMUM_NESTING: usize = 200;
 /// How high an expression's tree may grow; every later pass over it is recursive.
 const MAXIMUM_HEIGHT: usize = 500;
 /// Reads an expression that stands alone, with no declared spellings.
+///
+/// # Errors
+///
+/// The first mistake against the grammar.
 pub fn parse_expression(text: &str) -> Result<Expression, Diagnostic> {
     parse_expression_with(text, &mut Aliases::default())
 }
 
 /// Reads an expression that stands alone, with the spellings that a document declares.
+///
+/// # Errors
+///
+/// The first mistake against the grammar.
 pub fn parse_expression_with(text: &str, aliases: &mut Aliases) -> Result<Expression, Diagnostic> {
     let tokens = lexer::tokens(text, &(0..text.len()));
     let mut cursor = Cursor::new(text, &tokens, aliases);
     let expression = cursor.expression()?;
-    if cursor.peek().is_some() {
-        return Err(cursor.expected_after_operand("the end of the expression"));
+    if cursor.peek().is_none() {
+        return Ok(expression);
     }
-    Ok(expression)
+    let unexpected = || cursor.expected_after_operand("the end of the expression");
+    Err(cursor.surplus_bracket().unwrap_or_else(unexpected))
 }
 
 /// An expression and the height of its tree.
@@ -146,9 +155,10 @@ impl Cursor<'_> {
             let start = tree.expression.span.start;
             let (place, height) = self.place()?;
             if self.peek().is_some_and(|kind| operator(kind).is_some()) {
-                let error = self.expected("the end of what is taken `at` a place");
-                let help = "`at` binds looser than every operator: write `(… at …)` in brackets";
-                return Err(error.with_help(help));
+                let message = "`at` binds more loosely than every operator";
+                return Err(Diagnostic::syntax(self.here(), message)
+                    .with_label("an operator behind a place")
+                    .with_help("write what stands before it in brackets: `(… at …)`"));
             }
             let height = height.max(tree.height);
             tree = self.grow(start, height, Node::At(Box::new(tree.expression), place))?;

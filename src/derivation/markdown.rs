@@ -25,7 +25,7 @@ pub fn blocks(text: &str) -> (Blocks, Vec<Diagnostic>) {
     for (event, span) in Parser::new_ext(text, Options::empty()).into_offset_iter() {
         match event {
             Event::Start(Tag::Heading { .. }) if found.title.is_none() => {
-                heading = Some(String::new())
+                heading = Some(String::new());
             }
             Event::End(TagEnd::Heading(_)) => found.title = found.title.or(heading.take()),
             Event::Text(part) | Event::Code(part) => {
@@ -47,49 +47,41 @@ pub fn blocks(text: &str) -> (Blocks, Vec<Diagnostic>) {
     (found, errors)
 }
 
-/// The lines between two fences.
+/// The lines between the fences of a block.
 fn lines_of(text: &str, block: &Span, is_ours: bool) -> Result<Span, Diagnostic> {
-    let line_start = text[..block.start]
-        .rfind('\n')
-        .map_or(0, |newline| newline + 1);
-    let content = &text[block.clone()];
-    let opening = content.lines().next().unwrap_or_default();
-    let fence = fence_of(opening);
-    let opening_span = block.start..block.start + opening.len();
-    let first = (opening_span.end + 1).min(block.end);
-    let last = text[first..block.end]
-        .trim_end_matches(['\n', '\r'])
+    let opening_line = text[block.clone()].lines().next().unwrap_or_default();
+    let opening = block.start..block.start + opening_line.len();
+    let fence = fence_of(opening_line);
+    let first = (opening.end + 1).min(block.end);
+    let rest = text[first..block.end].trim_end_matches(['\n', '\r']);
+    let last = rest
         .rfind('\n')
         .map_or(first, |newline| first + newline + 1);
     // In a quotation the closing fence stands behind `>`.
-    let closing = text[last..block.end]
-        .trim_start_matches(['>', ' ', '\t'])
-        .trim_end();
-    if last < first || !closes(closing, fence) {
-        return Err(unbalanced(opening_span, "this block is never closed")
+    let closing = rest[last - first..].trim_start_matches(['>', ' ', '\t']);
+    if !closes(closing.trim_end(), fence) {
+        return Err(unbalanced(opening, "this block is never closed")
             .with_label("opened here")
-            .with_help(format!("close the block with a line `{fence}`")));
+            .with_help(format!("end it with a line that is only {fence}")));
     }
     let lines = first..last;
     if let Some(inner) = opening_inside(text, &lines, fence) {
+        let help = format!(
+            "end the first block with a line that is only {fence}, or begin it with a longer fence"
+        );
         return Err(unbalanced(inner, "a block begins inside of another one")
             .with_label("this line does not begin a block")
-            .with_secondary(opening_span, "this block is not closed before it")
-            .with_help(format!(
-                "close the first block with a line `{fence}`, or give it a longer fence"
-            )));
+            .with_secondary(opening, "this block is not closed before it")
+            .with_help(help));
     }
-    if is_ours
-        && (line_start < block.start
-            || fence.len() < opening.trim_end().len() && !opening.starts_with(fence))
-    {
-        return Err(Diagnostic::new(
-            DiagnosticKind::Unsupported,
-            opening_span,
-            "a block in a list or a quotation",
-        )
-        .with_label("not at the margin")
-        .with_help("begin the block at the left margin"));
+    let at_margin = text[..block.start].ends_with('\n') || block.start == 0;
+    if is_ours && !(at_margin && opening_line.starts_with(fence)) {
+        let message = "a block cannot stand in a list or a quotation, or be indented";
+        return Err(
+            Diagnostic::new(DiagnosticKind::Unsupported, opening, message)
+                .with_label("not at the margin")
+                .with_help("begin the block at the left margin"),
+        );
     }
     Ok(lines)
 }
@@ -101,8 +93,9 @@ fn fence_of(line: &str) -> &str {
     &line[..line.len() - line.trim_start_matches(mark).len()]
 }
 
+/// Whether a line closes a block that a fence opened.
 fn closes(line: &str, fence: &str) -> bool {
-    line.len() >= fence.len() && line.starts_with(fence) && fence_of(line) == line
+    line.starts_with(fence) && fence_of(line) == line
 }
 
 /// A line that would begin a block of this language if the block around it were closed.
@@ -110,14 +103,9 @@ fn opening_inside(text: &str, lines: &Span, fence: &str) -> Option<Span> {
     let mut start = lines.start;
     for line in text[lines.clone()].split_inclusive('\n') {
         let inner = fence_of(line);
-        if inner.starts_with(fence)
-            && line
-                .trim_start()
-                .trim_start_matches(inner)
-                .split_whitespace()
-                .next()
-                == Some(LANGUAGE)
-        {
+        let information = line.trim_start().trim_start_matches(inner);
+        let is_ours = information.split_whitespace().next() == Some(LANGUAGE);
+        if is_ours && inner.starts_with(fence) {
             return Some(start..start + line.trim_end().len());
         }
         start += line.len();

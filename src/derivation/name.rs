@@ -57,6 +57,10 @@ pub enum InvalidName {
 
 impl DottedName {
     /// Reads a word, splitting `ẋ` into the letter and its dot.
+    ///
+    /// # Errors
+    ///
+    /// Why the word is no name.
     pub fn read(word: &str) -> Result<Self, InvalidName> {
         let mut plain = String::with_capacity(word.len());
         let mut letters = 0;

@@ -3,8 +3,8 @@
 mod latex;
 mod plain;
 
+use super::syntax::{BinaryOperator, Comparison, Expression, Name, Node, Relation};
 use crate::algebra::number::Rational;
-use crate::derivation::syntax::{BinaryOperator, Comparison, Expression, Name, Node, Relation};
 
 /// A way to write expressions.
 ///

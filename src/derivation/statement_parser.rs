@@ -76,11 +76,7 @@ impl Cursor<'_> {
             "eigenpair" => Self::eigenpair,
             "match" => Self::matching,
             "import" => Self::import,
-            _ => {
-                return self
-                    .definition()
-                    .map_err(|error| self.suggest_keyword(keyword, error));
-            }
+            _ => return self.definition_or_unknown_keyword(),
         };
         self.advance();
         rest(self)
@@ -88,10 +84,9 @@ impl Cursor<'_> {
 
     /// `ill-formed` without a space is a keyword, not a difference.
     fn accept_ill_formed(&mut self) -> bool {
-        let start = self.here().start;
-        let found = self.text_of(&(start..start + "ill-formed".len())) == "ill-formed"
+        let found = self.is_at_word("ill")
             && self.peek_at(1) == Some(TokenKind::Minus)
-            && self.peek_at(2) == Some(TokenKind::Name);
+            && self.text_of(&self.span_of_next(3)) == "ill-formed";
         if found {
             for _ in 0..3 {
                 self.advance();
@@ -100,12 +95,23 @@ impl Cursor<'_> {
         found
     }
 
-    /// Where a line is no definition, its first word may be a misspelt keyword.
-    fn suggest_keyword(&self, word: &str, error: Diagnostic) -> Diagnostic {
-        match nearest(word, KEYWORDS) {
-            Some(keyword) => error.with_help(format!("did you mean the keyword `{keyword}`?")),
-            None => error,
+    /// What begins with no keyword is a definition, or was meant to begin with one.
+    fn definition_or_unknown_keyword(&mut self) -> Parsed<StatementKind> {
+        if self.peek_at(1) == Some(TokenKind::Equals) || self.is_ahead(TokenKind::Define) {
+            return self.definition();
         }
+        let word = self.peek_text();
+        let help = match nearest(word, KEYWORDS) {
+            Some(keyword) => format!("did you mean `{keyword}`?"),
+            None => format!(
+                "the keywords are {}; a definition is `X := …`",
+                KEYWORDS.join(", ")
+            ),
+        };
+        let message = format!("no statement begins with `{word}`");
+        Err(Diagnostic::syntax(self.here(), message)
+            .with_label("not a keyword")
+            .with_help(help))
     }
 
     /// `(8): left == right to order 1 in ρ "…"`
@@ -115,10 +121,10 @@ impl Cursor<'_> {
         let relation = self.relation()?;
         let order = self.order()?;
         let description = self.description()?;
-        let what = if order.is_none() {
-            "`to order`, a description or "
-        } else {
-            ""
+        let what = match (&order, &description) {
+            (_, Some(_)) => "",
+            (Some(_), None) => "a description or ",
+            (None, None) => "`to order`, a description or ",
         };
         self.expect_end(what)?;
         Ok(StatementKind::Assertion {
@@ -135,13 +141,19 @@ impl Cursor<'_> {
         if !self.accept_word("to") {
             return Ok(None);
         }
-        self.expect_word("order")?;
+        if !self.accept_word("order") {
+            let help = "an approximation ends with `to order 1 in ρ`, say";
+            return Err(self.expected("`order`").with_help(help));
+        }
         let span = self.here();
         let digits = self.peek_text();
         self.expect(TokenKind::Number, "the order, a whole number")?;
         let Ok(order) = digits.parse() else {
-            return Err(Diagnostic::syntax(span, format!("`{digits}` is no order"))
-                .with_label("expected a small whole number"));
+            return Err(Diagnostic::syntax(
+                span,
+                format!("`{digits}` is not a whole number, or too large"),
+            )
+            .with_label("the order of the terms that are kept"));
         };
         self.expect_word("in")?;
         Ok(Some(Order {

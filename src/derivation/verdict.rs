@@ -74,10 +74,10 @@ pub struct Witness {
 pub struct Explanation {
     /// The definitions that the assertion rests on, each before those that use it.
     pub definitions: Vec<(Name, Expression)>,
-    /// The normal forms of the left side, entry by entry.
-    pub left: Vec<Expression>,
-    /// The normal forms of the right side, entry by entry.
-    pub right: Vec<Expression>,
+    /// The normal forms of the left side, entry by entry; nothing for one too long to read.
+    pub left: Vec<Option<Expression>>,
+    /// The normal forms of the right side, entry by entry; nothing for one too long to read.
+    pub right: Vec<Option<Expression>>,
     /// The unit of the first entry of both sides.
     pub unit: Option<String>,
     /// At how many random points both sides were compared.

@@ -86,4 +86,16 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn coefficients_stay_as_short_as_determinants() {
+        // Without dividing by the right factors they double in length with
+        // every remainder, and there are fifteen.
+        let left = (0..=15).map(|e| polynomial(&format!("{}*a^{e}", e * e % 7 + 1)));
+        let left = left.fold(Polynomial::zero(), |sum, term| &sum + &term);
+        let right = &left.derivative(symbol('a')) + &Polynomial::one();
+        let budget = Budget::new(20_000);
+        let found = gcd(left, right, symbol('a'), 0, &budget);
+        assert_eq!(found, Ok(Polynomial::one()));
+    }
 }

@@ -21,28 +21,44 @@ const MOST_NODES: i64 = 40;
 pub struct Evaluator<'a> {
     scope: &'a Scope,
     point: Point,
-    surroundings: Vec<Surrounding>,
+    surroundings: Vec<Surrounding<'a>>,
     frames: Vec<Frame<'a>>,
     nilpotents: u32,
     known: BTreeMap<(usize, String), Table>,
+    replaced: BTreeMap<(usize, Key), Sample>,
+    lifted: BTreeMap<(usize, usize), usize>,
 }
 
 /// How the values of symbols differ from those of the point, on top of another surrounding.
-struct Surrounding {
+struct Surrounding<'a> {
     parent: usize,
-    change: Change,
+    change: Change<'a>,
 }
 
-enum Change {
+#[derive(Clone)]
+enum Change<'a> {
     None,
     /// Every coordinate moves with time: q + q̇ε.
     Time(Number),
     /// One symbol moves: q + ε.
     Shift(Key, Number),
-    /// Symbols have other values.
-    Replace(BTreeMap<Key, Sample>),
+    /// One symbol has another value.
+    Set(Key, Number),
+    /// Symbols, and values of functions at their reference arguments, have other values, which are
+    /// read in the parent surrounding and the given frame.
+    Replace {
+        symbols: BTreeMap<Key, &'a Expression>,
+        functions: Vec<(&'a Name, u32, &'a Expression)>,
+        frame: usize,
+    },
     /// Symbols are multiplied by something small.
     Scale(BTreeSet<Key>, Number),
+}
+
+/// What can be replaced or differentiated by.
+enum Target<'a> {
+    Symbol(Key),
+    Function(&'a Name, u32),
 }
 
 /// The arguments of a call, by name, and the frame in which they are to be read.
@@ -67,6 +83,8 @@ impl<'a> Evaluator<'a> {
             frames: vec![frame],
             nilpotents: 0,
             known: BTreeMap::new(),
+            replaced: BTreeMap::new(),
+            lifted: BTreeMap::new(),
         }
     }
 
@@ -122,7 +140,10 @@ impl<'a> Evaluator<'a> {
         match &expression.node {
             Node::Number(number) => Ok(single(Number::from(number.clone()))),
             Node::Name(name) => self.named(name, surrounding, frame),
-            Node::Derivative(name, order) => self.function(name, *order, None, surrounding),
+            Node::Derivative(name, order) => {
+                let reference = self.reference(name)?;
+                self.function(name, *order, reference, surrounding, 0)
+            }
             Node::Negative(inner) => {
                 let table = self.table(inner, surrounding, frame)?;
                 Ok(each(&table, |sample| Sample {
@@ -167,7 +188,7 @@ impl<'a> Evaluator<'a> {
                 entry.map(|entry| vec![vec![entry.clone()]]).ok_or("no such entry".into())
             }
             Node::At(inner, place) => {
-                let change = self.replacements(place, surrounding, frame)?;
+                let change = self.replacements(place, frame)?;
                 let inside = self.within(surrounding, change);
                 self.table(inner, inside, frame)
             }
@@ -200,7 +221,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// A new surrounding on top of another.
-    fn within(&mut self, parent: usize, change: Change) -> usize {
+    fn within(&mut self, parent: usize, change: Change<'a>) -> usize {
         self.surroundings.push(Surrounding { parent, change });
         self.surroundings.len() - 1
     }
@@ -223,7 +244,9 @@ impl<'a> Evaluator<'a> {
                 let key = Key::Symbol(name.ascii.clone(), 0);
                 Ok(vec![vec![self.look_up(&key, surrounding)?]])
             }
-            Meaning::Function { .. } => self.function(name, 0, None, surrounding),
+            Meaning::Function { reference, .. } => {
+                self.function(name, 0, reference, surrounding, 0)
+            }
             Meaning::Definition { expression, .. } => {
                 let key = (surrounding, name.ascii.clone());
                 if let Some(known) = self.known.get(&key) {
@@ -279,10 +302,23 @@ impl<'a> Evaluator<'a> {
                 }
                 Ok(sample)
             }
-            Change::Replace(values) => match values.get(key) {
-                Some(value) => Ok(value.clone()),
-                None => self.look_up(key, parent),
-            },
+            Change::Set(set, value) if set == key => {
+                Ok(Sample { number: value.clone(), angle: None })
+            }
+            Change::Set(..) => self.look_up(key, parent),
+            Change::Replace { symbols, frame, .. } => {
+                let Some(value) = symbols.get(key).copied() else {
+                    return self.look_up(key, parent);
+                };
+                let frame = *frame;
+                let place = (surrounding, key.clone());
+                if let Some(known) = self.replaced.get(&place) {
+                    return Ok(known.clone());
+                }
+                let sample = self.scalar(value, parent, frame)?;
+                self.replaced.insert(place, sample.clone());
+                Ok(sample)
+            }
             Change::Scale(scaled, step) => {
                 let step = scaled.contains(key).then(|| step.clone());
                 let sample = self.look_up(key, parent)?;
@@ -308,12 +344,7 @@ impl<'a> Evaluator<'a> {
         matches!(kind, Some(SymbolKind::Angle | SymbolKind::AngularCoordinate))
     }
 
-    fn replacements(
-        &mut self,
-        place: &'a Place,
-        surrounding: usize,
-        frame: usize,
-    ) -> Result<Change, Failure> {
+    fn replacements(&self, place: &'a Place, frame: usize) -> Result<Change<'a>, Failure> {
         let scope = self.scope;
         let (replacements, frame): (&'a [Replacement], usize) = match place {
             Place::Replacements(replacements) => (replacements, frame),
@@ -322,40 +353,52 @@ impl<'a> Evaluator<'a> {
                 _ => return Err(format!("{name} is no substitution")),
             },
         };
-        let mut values = BTreeMap::new();
+        let (mut symbols, mut functions) = (BTreeMap::new(), Vec::new());
         for Replacement { target, value } in replacements {
-            let key = self.key(target, surrounding)?;
-            values.insert(key, self.scalar(value, surrounding, frame)?);
+            match self.target(target)? {
+                Target::Symbol(key) => {
+                    symbols.insert(key, value);
+                }
+                Target::Function(name, order) => functions.push((name, order, value)),
+            }
         }
-        Ok(Change::Replace(values))
+        Ok(Change::Replace { symbols, functions, frame })
     }
 
-    /// What a target of a replacement or of a derivative stands for.
-    fn key(&mut self, target: &'a Expression, surrounding: usize) -> Result<Key, Failure> {
+    /// What can be replaced or differentiated by: a symbol, or the value of a function at its
+    /// reference argument.
+    fn target(&self, target: &'a Expression) -> Result<Target<'a>, Failure> {
         let scope = self.scope;
         match &target.node {
             Node::Name(name) => match scope.get(name).map(|entry| &entry.meaning) {
-                Some(Meaning::Symbol { .. }) => Ok(Key::Symbol(name.ascii.clone(), 0)),
-                Some(Meaning::Function { reference, .. }) => {
-                    Ok(Key::Function(name.ascii.clone(), 0, self.argument(reference, surrounding)?))
+                Some(Meaning::Symbol { .. }) => {
+                    Ok(Target::Symbol(Key::Symbol(name.ascii.clone(), 0)))
                 }
-                Some(Meaning::Definition { expression, .. }) => self.key(expression, surrounding),
+                Some(Meaning::Function { .. }) => Ok(Target::Function(name, 0)),
+                Some(Meaning::Definition { expression, .. }) => self.target(expression),
                 _ => Err(format!("{name} is no variable")),
             },
-            Node::Derivative(name, order) => match scope.get(name).map(|entry| &entry.meaning) {
-                Some(Meaning::Function { reference, .. }) => {
-                    let argument = self.argument(reference, surrounding)?;
-                    Ok(Key::Function(name.ascii.clone(), *order, argument))
-                }
-                _ => Err(format!("{name} is no function")),
-            },
+            Node::Derivative(name, order) => Ok(Target::Function(name, *order)),
             Node::Call { function, arguments, .. } if function.ascii == "dt" => {
-                match arguments.first().map(|inner| self.key(inner, surrounding)).transpose()? {
-                    Some(Key::Symbol(name, order)) => Ok(Key::Symbol(name, order + 1)),
+                match arguments.first().map(|inner| self.target(inner)).transpose()? {
+                    Some(Target::Symbol(Key::Symbol(name, order))) => {
+                        Ok(Target::Symbol(Key::Symbol(name, order + 1)))
+                    }
                     _ => Err("this is no variable".into()),
                 }
             }
             _ => Err("this is no variable".into()),
+        }
+    }
+
+    /// The key of something that is differentiated by.
+    fn key(&mut self, target: &'a Expression, surrounding: usize) -> Result<Key, Failure> {
+        match self.target(target)? {
+            Target::Symbol(key) => Ok(key),
+            Target::Function(name, order) => {
+                let argument = argument_of(&self.scalar(self.reference(name)?, surrounding, 0)?);
+                Ok(Key::Function(name.ascii.clone(), order, argument))
+            }
         }
     }
 
@@ -378,38 +421,21 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    fn argument(
-        &mut self,
-        reference: &'a Expression,
-        surrounding: usize,
-    ) -> Result<Argument, Failure> {
-        let sample = self.scalar(reference, surrounding, 0)?;
-        Ok(argument_of(&sample))
-    }
-
     /// f⁽ᵏ⁾(a + n) = Σ f⁽ᵏ⁺ʲ⁾(a) nʲ/j! for a nilpotent n.
     fn function(
         &mut self,
         name: &Name,
         order: u32,
-        argument: Option<Sample>,
+        argument: &'a Expression,
         surrounding: usize,
+        frame: usize,
     ) -> Result<Table, Failure> {
-        let scope = self.scope;
-        let sample = match (argument, scope.get(name).map(|entry| &entry.meaning)) {
-            (Some(sample), _) => sample,
-            (None, Some(Meaning::Function { reference, .. })) => {
-                self.scalar(reference, surrounding, 0)?
-            }
-            _ => return Err(format!("{name} is no function")),
-        };
-        let argument = argument_of(&sample);
+        let sample = self.scalar(argument, surrounding, frame)?;
         let step = sample.number.difference(&sample.number.base());
         let (mut sum, mut power, mut order) = (Number::default(), Number::from(1), order);
         let mut j = 1;
         while !power.is_zero() {
-            let key = Key::Function(name.ascii.clone(), order, argument.clone());
-            let slope = self.look_up(&key, surrounding)?.number;
+            let slope = self.function_value(name, order, argument, surrounding, frame)?;
             sum = sum.sum(&self.point.extension.product(&slope, &power));
             power = self.point.extension.product(&power, &step);
             power = power.scale(&(Rational::ONE / Rational::from(j)));
@@ -417,6 +443,63 @@ impl<'a> Evaluator<'a> {
             j += 1;
         }
         Ok(single(sum))
+    }
+
+    /// f⁽ᵏ⁾ at the point itself.
+    fn function_value(
+        &mut self,
+        name: &Name,
+        order: u32,
+        argument: &'a Expression,
+        surrounding: usize,
+        frame: usize,
+    ) -> Result<Number, Failure> {
+        let mut level = surrounding;
+        while level > 0 {
+            let parent = self.surroundings[level].parent;
+            if let Change::Replace { functions, frame: outside, .. } = &self.surroundings[level].change {
+                let outside = *outside;
+                let replaced = functions.iter().find(|(known, k, _)| *known == name && *k == order);
+                if let Some((known, _, value)) = replaced.copied() {
+                    // A replacement names the value that the function has without the replacement.
+                    let reference = self.reference(known)?;
+                    let lifted = self.lift(surrounding, level);
+                    let here = argument_of(&self.scalar(argument, lifted, frame)?);
+                    if here == argument_of(&self.scalar(reference, parent, 0)?) {
+                        return Ok(self.scalar(value, parent, outside)?.number);
+                    }
+                }
+            }
+            level = parent;
+        }
+        let argument = argument_of(&self.scalar(argument, surrounding, frame)?);
+        let key = Key::Function(name.ascii.clone(), order, argument);
+        Ok(self.look_up(&key, surrounding)?.number)
+    }
+
+    /// The surrounding without the change of one of its levels.
+    fn lift(&mut self, surrounding: usize, level: usize) -> usize {
+        let parent = self.surroundings[surrounding].parent;
+        if surrounding == level {
+            return parent;
+        }
+        if let Some(known) = self.lifted.get(&(surrounding, level)) {
+            return *known;
+        }
+        let parent = self.lift(parent, level);
+        let change = self.surroundings[surrounding].change.clone();
+        let lifted = self.within(parent, change);
+        self.lifted.insert((surrounding, level), lifted);
+        lifted
+    }
+
+    /// Where the bare name of a function is taken.
+    fn reference(&self, name: &Name) -> Result<&'a Expression, Failure> {
+        let scope = self.scope;
+        match scope.get(name).map(|entry| &entry.meaning) {
+            Some(Meaning::Function { reference, .. }) => Ok(reference),
+            _ => Err(format!("{name} is no function")),
+        }
     }
 
     fn binary(
@@ -538,8 +621,7 @@ impl<'a> Evaluator<'a> {
         let scope = self.scope;
         match (scope.get(function).map(|entry| &entry.meaning), arguments) {
             (Some(Meaning::Function { .. }), [argument]) => {
-                let argument = self.scalar(argument, surrounding, frame)?;
-                self.function(function, order, Some(argument), surrounding)
+                self.function(function, order, argument, surrounding, frame)
             }
             (Some(Meaning::Template { arguments: names, expression }), _) => {
                 let names = names.iter().map(|name| name.ascii.as_str());
@@ -747,7 +829,16 @@ impl<'a> Evaluator<'a> {
             k += 2;
         }
         let tag = self.tag_of(&cosine, &sine)?;
-        Ok(Sample { number: turn, angle: Some(tag) })
+        // The measure of the angle at the point itself, as for every other angle.
+        let number = tag.iter().fold(turn, |sum, (atom, count)| {
+            let name = match atom {
+                Atom::Named(name) => name.clone(),
+                Atom::Direction(index) => format!("direction {index}"),
+            };
+            let measure = self.point.value(&Key::Symbol(name, 0));
+            sum.sum(&measure.scale(&Rational::from(count.clone())))
+        });
+        Ok(Sample { number, angle: Some(tag) })
     }
 
     /// The sum of declared angles with the given cosine and sine, or a new atom for it.
@@ -835,9 +926,7 @@ impl<'a> Evaluator<'a> {
         let mut differences: Vec<Number> = Vec::new();
         let mut newton: Vec<Number> = Vec::new();
         for node in 1..=MOST_NODES {
-            let value = Sample { number: Number::from(node), angle: None };
-            let change = Change::Replace(BTreeMap::from([(key.clone(), value)]));
-            let inside = self.within(surrounding, change);
+            let inside = self.within(surrounding, Change::Set(key.clone(), Number::from(node)));
             // f[xₙ₋ⱼ, …, xₙ] = (f[xₙ₋ⱼ₊₁, …, xₙ] − f[xₙ₋ⱼ, …, xₙ₋₁])/j
             let mut current = vec![self.scalar(polynomial, inside, frame)?.number];
             for (j, previous) in (1..).zip(&differences) {

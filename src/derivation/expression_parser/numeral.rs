@@ -14,10 +14,11 @@ const MAXIMUM_DIGITS: usize = 1000;
 pub(super) fn number(text: &str, span: &Span) -> Parsed<Rational> {
     let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
     if whole.len() + fraction.len() > MAXIMUM_DIGITS {
-        let message = format!("a number may have {MAXIMUM_DIGITS} digits");
+        let message = format!("a number may have at most {MAXIMUM_DIGITS} digits");
+        // The number itself would fill the screen.
+        let start = span.start..span.start;
         return Err(
-            Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
-                .with_label("this one has more"),
+            Diagnostic::new(DiagnosticKind::Budget, start, message).with_label("this one has more")
         );
     }
     let digits = integer(&format!("{whole}{fraction}"), span)?;

@@ -54,7 +54,11 @@ impl Cursor<'_> {
             }
             Some(TokenKind::Root) => {
                 self.advance();
-                let open = self.expect(TokenKind::OpenRound, "the `(` of `√(…)`")?;
+                let open = self.here();
+                if self.accept(TokenKind::OpenRound).is_none() {
+                    let help = "write what stands under the root in brackets: `√(…)`";
+                    return Err(self.expected("`(`").with_help(help));
+                }
                 let tree = self.placed()?;
                 self.expect_closing(TokenKind::CloseRound, &open)?;
                 self.apply("sqrt", start.start, tree)

@@ -261,14 +261,10 @@ fn list(expressions: &[Expression], separator: &str) -> String {
         .join(separator)
 }
 
-/// An operand, in brackets if it binds more loosely than it must; quotients and places are closed in themselves.
+/// An operand, in brackets if it binds more loosely than it must.
 fn operand(inner: &Expression, weakest: Strength) -> String {
-    let strength = match Strength::of(inner) {
-        Strength::Place => Strength::Operand,
-        strength => strength,
-    };
     let written = expression(inner);
-    if strength < weakest {
+    if is_looser(inner, weakest) {
         brackets(&written)
     } else {
         written
@@ -278,11 +274,17 @@ fn operand(inner: &Expression, weakest: Strength) -> String {
 /// An operand behind another sign: in brackets also if it begins with a minus.
 fn unsigned(inner: &Expression, weakest: Strength) -> String {
     let written = expression(inner);
-    if written.starts_with('-') {
+    if written.starts_with('-') || is_looser(inner, weakest) {
         brackets(&written)
     } else {
-        operand(inner, weakest)
+        written
     }
+}
+
+/// Whether an operand needs brackets; what is taken at a place is closed in itself by the bar behind it.
+fn is_looser(inner: &Expression, weakest: Strength) -> bool {
+    let strength = Strength::of(inner);
+    strength != Strength::Place && strength < weakest
 }
 
 fn brackets(inner: &str) -> String {
