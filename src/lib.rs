@@ -3,5 +3,7 @@
 #![deny(missing_docs)]
 
 pub mod algebra;
+pub mod cli;
 pub mod derivation;
+pub mod documents;
 pub mod report;

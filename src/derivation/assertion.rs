@@ -29,6 +29,9 @@ use super::verdict::{Claim, Condition, Explanation, Verdict, Witness};
 /// At how many random points every assertion is evaluated.
 const POINTS: usize = 2;
 
+/// How many random points are tried before an assertion is given up that has no value at most of them.
+const MOST_CHECKPOINTS: usize = 24;
+
 /// How many points are tried to find one that satisfies the assumptions, or that refutes.
 const MOST_ATTEMPTS: u64 = 400;
 
@@ -289,7 +292,7 @@ fn allowed(comparison: Comparison) -> Signs {
 }
 
 /// The definitions that an expression rests on, each before those that use it.
-fn collect_definitions(
+pub(super) fn collect_definitions(
     expression: &Expression,
     scope: &Scope,
     found: &mut Vec<(Name, Expression)>,
@@ -349,16 +352,35 @@ impl<'a> Judge<'a> {
         admissible.then_some(evaluator)
     }
 
-    /// The random points at which identities are checked.
-    pub fn checkpoints(&mut self) -> &mut [Evaluator<'a>] {
-        let mut seed = 0;
-        while self.large.len() < POINTS && seed < MOST_ATTEMPTS {
-            if let Some(evaluator) = self.evaluator(seed, LARGE) {
-                self.large.push(evaluator);
-            }
-            seed += 1;
+    /// One of the random points at which identities are checked, made when it is first asked for.
+    fn checkpoint(&mut self, count: usize) -> Option<&mut Evaluator<'a>> {
+        while self.large.len() <= count {
+            let next = self.large.len() as u64;
+            let found = (0..MOST_ATTEMPTS)
+                .find_map(|attempt| self.evaluator(next * MOST_ATTEMPTS + attempt, LARGE));
+            self.large.push(found?);
         }
-        &mut self.large
+        self.large.get_mut(count)
+    }
+
+    /// Carries out a check at as many random points as are needed: how many those were, or why there
+    /// are not enough. Points at which something has no value are passed over.
+    pub fn at_checkpoints(
+        &mut self,
+        mut check: impl FnMut(&mut Evaluator<'a>) -> Result<Result<(), String>, Diagnostic>,
+    ) -> Result<Result<usize, String>, Diagnostic> {
+        let (mut passed, mut reason) = (0, "no point satisfies the assumptions".to_string());
+        for count in 0..MOST_CHECKPOINTS {
+            let Some(evaluator) = self.checkpoint(count) else { break };
+            match check(evaluator)? {
+                Ok(()) => passed += 1,
+                Err(why) => reason = why,
+            }
+            if passed == POINTS {
+                return Ok(Ok(POINTS));
+            }
+        }
+        Ok(Err(reason))
     }
 
     /// The points at which counterexamples are looked for, simple ones first.
@@ -442,11 +464,7 @@ impl<'a> Judge<'a> {
     /// Evaluates both sides at the checkpoints: how many there were, or why it cannot be done.
     fn confirm(&mut self, finding: &'a Finding) -> Result<Result<usize, String>, Diagnostic> {
         let assertion = &finding.assertion;
-        let checkpoints = self.checkpoints();
-        if checkpoints.len() < POINTS {
-            return Ok(Err("no point was found that satisfies the assumptions".into()));
-        }
-        for evaluator in checkpoints {
+        self.at_checkpoints(|evaluator| {
             let sides = match side_parts(evaluator, assertion, assertion.order.as_ref()) {
                 Ok(sides) => sides,
                 Err(reason) => return Ok(Err(format!("cannot be evaluated at a point: {reason}"))),
@@ -458,8 +476,8 @@ impl<'a> Judge<'a> {
                     None => return Ok(Err("the sides cannot be compared at a point".into())),
                 }
             }
-        }
-        Ok(Ok(POINTS))
+            Ok(Ok(()))
+        })
     }
 
     /// The first point at which the sides differ.
@@ -485,8 +503,7 @@ impl<'a> Judge<'a> {
             if compare_numbers(&left, &right, comparison) != Some(false) {
                 continue;
             }
-            let place = first_difference(&left, &right);
-            let (row, column) = place?;
+            let (row, column) = first_difference(&left, &right).unwrap_or((0, 0));
             let (a, b) = (&left[row][column], &right[row][column]);
             let point = evaluator.point();
             let drawn = point.drawn().iter().filter(|(name, _)| names.contains(*name));

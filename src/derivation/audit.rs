@@ -11,6 +11,8 @@ use super::assertion::{Assertion, Finding, Judge};
 use super::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
 use super::document::{Document, parse_document_with};
 use super::elaboration::{Elaborator, algebra};
+use super::evaluation::evaluator::Evaluator;
+use super::evaluation::number::Number;
 use super::matching::Matched;
 use super::name::Aliases;
 use super::quantity::Quantity;
@@ -86,9 +88,7 @@ pub fn audit(source: &SourceFile, library: &dyn Library) -> Result<Audit, Box<Re
     };
     let mut claims = Vec::new();
     for finding in &read.findings {
-        let t = std::time::Instant::now();
         claims.push(judge.judge(finding).map_err(rejected)?);
-            if t.elapsed().as_millis() >= 2 { eprintln!("JUDGE {} {:?}", finding.assertion.line, t.elapsed()); }
     }
     for check in &read.checks {
         check.confirm(&mut judge).map_err(rejected)?;
@@ -133,9 +133,7 @@ impl Reader<'_> {
         for statement in &document.statements {
             self.elaborator.fresh();
             let line = line_of(&source.text, statement.span.start);
-            let t = std::time::Instant::now();
             self.execute(statement, line, &mut read).map_err(|error| reject(vec![error]))?;
-            if t.elapsed().as_millis() >= 2 { eprintln!("TIME {line} {:?}", t.elapsed()); }
         }
         Ok(read)
     }
@@ -431,32 +429,35 @@ impl MatchingCheck {
     }
 
     fn confirm<'a>(&'a self, judge: &mut Judge<'a>) -> Result<(), Diagnostic> {
-        for evaluator in judge.checkpoints() {
-            let sides = evaluator
-                .coefficients(&self.exact, &self.variable)
-                .and_then(|exact| Ok((exact, evaluator.coefficients(&self.assumed, &self.variable)?)));
-            let (exact, assumed) = sides.map_err(|reason| self.undecided(reason))?;
-            for (power, residual) in &self.residuals {
-                let of = |side: &[_]| side.get(*power as usize).cloned().unwrap_or_default();
-                let difference = of(&exact).difference(&of(&assumed));
-                let residual = evaluator.evaluate(residual).map_err(|reason| self.undecided(reason))?;
-                if residual[0][0] != difference {
-                    let message = "the matching fails at a random point";
-                    return Err(Diagnostic::new(
-                        DiagnosticKind::Disagreement,
-                        self.span.clone(),
-                        message,
-                    )
-                    .with_label(format!("at the power {power}"))
-                    .with_help("this is a mistake of sextic, not of the document: please report it"));
-                }
-            }
-        }
-        Ok(())
+        let outcome = judge.at_checkpoints(|evaluator| {
+            let power = match self.differs(evaluator) {
+                Ok(None) => return Ok(Ok(())),
+                Ok(Some(power)) => power,
+                Err(reason) => return Ok(Err(reason)),
+            };
+            let message = "the matching fails at a random point";
+            Err(Diagnostic::new(DiagnosticKind::Disagreement, self.span.clone(), message)
+                .with_label(format!("at the power {power}"))
+                .with_help("this is a mistake of sextic, not of the document: please report it"))
+        })?;
+        outcome.map(drop).map_err(|reason| {
+            let message = "this matching cannot be checked at a point";
+            Diagnostic::new(DiagnosticKind::Unsupported, self.span.clone(), message)
+                .with_label(reason)
+        })
     }
 
-    fn undecided(&self, reason: String) -> Diagnostic {
-        let message = "this matching cannot be checked at a point";
-        Diagnostic::new(DiagnosticKind::Unsupported, self.span.clone(), message).with_label(reason)
+    /// The first power at which the residual is not what it was found to be.
+    fn differs<'a>(&'a self, evaluator: &mut Evaluator<'a>) -> Result<Option<u32>, String> {
+        let exact = evaluator.coefficients(&self.exact, &self.variable)?;
+        let assumed = evaluator.coefficients(&self.assumed, &self.variable)?;
+        for (power, residual) in &self.residuals {
+            let of = |side: &[Number]| side.get(*power as usize).cloned().unwrap_or_default();
+            let difference = of(&exact).difference(&of(&assumed));
+            if evaluator.evaluate(residual)?[0][0] != difference {
+                return Ok(Some(*power));
+            }
+        }
+        Ok(None)
     }
 }

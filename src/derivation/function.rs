@@ -390,7 +390,14 @@ impl Elaborator {
         for entry in self.value(small)?.entries() {
             symbols.push(self.symbol(entry, &small.span)?);
         }
-        self.value(value)?.try_map(|entry| {
+        // What must hold must hold where the small quantities vanish.
+        let outer = std::mem::take(&mut self.conditions);
+        let value = self.value(value)?;
+        let needed = std::mem::replace(&mut self.conditions, outer);
+        let at_zero = symbols.iter().map(|symbol| (*symbol, self.ring.zero())).collect();
+        let needed = needed.substitute(&at_zero, &mut self.ring);
+        self.conditions.extend(&needed.map_err(|error| algebra(error, span))?);
+        value.try_map(|entry| {
             let value = self.ring.truncate(&entry.value, &symbols, order);
             Ok(Quantity { value: value.map_err(|error| algebra(error, span))?, unit: entry.unit.clone() })
         })

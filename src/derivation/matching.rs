@@ -11,6 +11,7 @@ use crate::algebra::polynomial::Polynomial;
 use crate::algebra::substitution::Substitution;
 use crate::algebra::symbol::Symbol;
 
+use super::assertion::collect_definitions;
 use super::condition::Conditions;
 use super::diagnostic::{Diagnostic, DiagnosticKind};
 use super::elaboration::{Elaborator, algebra, units};
@@ -34,6 +35,8 @@ pub struct Matched {
     pub line: usize,
     /// The polynomial that is known, and the form it is assumed to have.
     pub polynomials: (Expression, Expression),
+    /// The definitions that both rest on, each before those that use it.
+    pub definitions: Vec<(Name, Expression)>,
     /// The variable whose powers are compared.
     pub variable: Name,
     /// What was solved for, and the solution in lowest terms.
@@ -165,7 +168,11 @@ impl Elaborator {
                 })
             })
             .collect();
+        let mut definitions = Vec::new();
+        collect_definitions(&matching.exact, &self.scope, &mut definitions);
+        collect_definitions(&matching.assumed, &self.scope, &mut definitions);
         let matched = Matched {
+            definitions,
             label: matching.label.clone(),
             name: matching.name.value.clone(),
             description: matching.description.clone(),

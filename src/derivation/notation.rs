@@ -124,13 +124,16 @@ fn is_negative(number: &Rational) -> bool {
 /// Whether the name is differentiated by time and nothing else: `ẋ`, `ẍ`; how often.
 fn dotted(expression: &Expression) -> Option<(&Name, u32)> {
     let inner = rate_of(expression)?;
-    match &inner.node {
-        Node::Name(name) => Some((name, 1)),
+    let (name, dots) = match &inner.node {
+        Node::Name(name) => (name, 1),
         _ => match &rate_of(inner)?.node {
-            Node::Name(name) => Some((name, 2)),
-            _ => None,
+            Node::Name(name) => (name, 2),
+            _ => return None,
         },
-    }
+    };
+    // A dot stands well above a letter, not above the first letter of a word.
+    let letter = name.unicode.split('_').next()?;
+    (letter.chars().count() == 1).then_some((name, dots))
 }
 
 /// `x` of `dt(x)`.

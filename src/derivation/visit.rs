@@ -56,7 +56,10 @@ impl Expression {
                 values.insert(name.ascii.clone());
             }
             Node::Derivative(name, order) => {
-                values.insert(format!("{}{}", "d".repeat(*order as usize), name.ascii));
+                values.insert(match order {
+                    1 => format!("d{}", name.ascii),
+                    _ => format!("d{order}{}", name.ascii),
+                });
             }
             Node::Number(_) => {}
             Node::Negative(inner) | Node::At(inner, _) | Node::Index(inner, _) => {

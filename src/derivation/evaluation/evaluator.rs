@@ -396,8 +396,7 @@ impl<'a> Evaluator<'a> {
         match self.target(target)? {
             Target::Symbol(key) => Ok(key),
             Target::Function(name, order) => {
-                let argument = argument_of(&self.scalar(self.reference(name)?, surrounding, 0)?);
-                Ok(Key::Function(name.ascii.clone(), order, argument))
+                self.function_key(name, order, self.reference(name)?, surrounding, 0)
             }
         }
     }
@@ -472,9 +471,24 @@ impl<'a> Evaluator<'a> {
             }
             level = parent;
         }
-        let argument = argument_of(&self.scalar(argument, surrounding, frame)?);
-        let key = Key::Function(name.ascii.clone(), order, argument);
+        let key = self.function_key(name, order, argument, surrounding, frame)?;
         Ok(self.look_up(&key, surrounding)?.number)
+    }
+
+    /// The key of f⁽ᵏ⁾ at an argument; the reference argument has a key of its own, under which the
+    /// value is shown as `C_D`.
+    fn function_key(
+        &mut self,
+        name: &Name,
+        order: u32,
+        argument: &'a Expression,
+        surrounding: usize,
+        frame: usize,
+    ) -> Result<Key, Failure> {
+        let here = argument_of(&self.scalar(argument, surrounding, frame)?);
+        let reference = argument_of(&self.scalar(self.reference(name)?, 0, 0)?);
+        let argument = if here == reference { Argument::Reference } else { here };
+        Ok(Key::Function(name.ascii.clone(), order, argument))
     }
 
     /// The surrounding without the change of one of its levels.

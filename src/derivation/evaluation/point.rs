@@ -19,6 +19,8 @@ pub enum Key {
 /// The argument of a function known only through its derivatives.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Argument {
+    /// The function's own reference argument.
+    Reference,
     /// A sum of angles.
     Angle(Tag),
     /// A number.
@@ -85,7 +87,15 @@ impl Point {
             Key::Symbol(name, 0) => (name.clone(), self.signs.get(name).copied()),
             Key::Symbol(name, order) => (nested_dt(name, *order), None),
             Key::Function(name, order, argument) => {
-                (format!("{}{name}({argument:?})", "d".repeat(*order as usize)), None)
+                let primed = match order {
+                    0 => name.clone(),
+                    1 => format!("d{name}"),
+                    _ => format!("d{order}{name}"),
+                };
+                match argument {
+                    Argument::Reference => (primed, None),
+                    argument => (format!("{primed}({argument:?})"), None),
+                }
             }
         };
         Number::from(self.draw(&name, signs.unwrap_or(Signs::ANY)))

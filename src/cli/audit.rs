@@ -1,0 +1,170 @@
+//! `sextic audit`: the verdicts on documents.
+
+use clap::Args;
+
+use crate::derivation::audit::Audit;
+use crate::derivation::verdict::Claim;
+use crate::report::{json, latex, markdown, text};
+
+use super::Outcome;
+use super::output::{Format, finish, width, wrong};
+use super::source::audit_all;
+
+/// How many identifiers are suggested for a misspelt one.
+const SUGGESTIONS: usize = 3;
+/// How alike a suggestion must be, from 0 to 1.
+const LEAST_LIKENESS: f64 = 0.6;
+
+/// Gives a verdict on every assertion of a document
+///
+/// Every `claim`, `refute`, `approximate` and `ill-formed` of a document is decided twice: by comparing
+/// normal forms, and by exact evaluation at random points. A verdict names the conditions that its
+/// steps needed, what an approximation leaves out, or a point at which the two sides differ.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// Markdown documents; without any, those that come with the command
+    #[arg(value_name = "DOC")]
+    documents: Vec<String>,
+
+    /// How the verdicts are written
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+
+    /// Show the steps behind one verdict, by the id or the label of its assertion
+    #[arg(long, value_name = "ID")]
+    explain: Option<String>,
+
+    /// How many columns text may fill (at least 40); as many as the terminal has if not given
+    #[arg(long, value_name = "COLUMNS")]
+    width: Option<usize>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  sextic audit                          the documents that come with the command
+  sextic audit paper.md                 a document of your own
+  sextic audit --explain 12             how the verdict on equation (12) was reached
+  sextic audit --format json | jq '.documents[].claims[] | select(.verdict == \"refuted\") | .id'";
+
+/// Audits documents and writes the verdicts.
+pub fn run(arguments: &Arguments) -> Outcome {
+    let (audits, mut outcome) = audit_all(&arguments.documents);
+    if let Some(wanted) = &arguments.explain {
+        return explain(wanted, &audits, outcome, arguments);
+    }
+    if !audits.iter().all(Audit::as_expected) {
+        outcome = outcome.max(Outcome::Differs);
+    }
+    let width = width(arguments.width);
+    let written = match arguments.format {
+        Format::Text => joined(audits.iter().map(|audit| text::audit(audit, width))),
+        Format::Json => json::audits(&audits),
+        Format::Markdown => joined(audits.iter().map(markdown::audit)),
+        Format::Latex => latex::audits(&audits),
+    };
+    finish(&written, outcome)
+}
+
+fn explain(wanted: &str, audits: &[Audit], outcome: Outcome, arguments: &Arguments) -> Outcome {
+    let id = identifier(wanted);
+    let claims = || {
+        audits
+            .iter()
+            .flat_map(|audit| audit.claims.iter().map(move |claim| (audit, claim)))
+    };
+    let found: Vec<(&Audit, &Claim)> = claims().filter(|(_, claim)| claim.label.id == id).collect();
+    if found.is_empty() {
+        // Where no document could be read, its diagnostics have said all.
+        if audits.is_empty() {
+            return outcome;
+        }
+        let known = claims().map(|(_, claim)| claim.label.id.as_str());
+        return unknown(wanted, &nearest_identifiers(&id, known));
+    }
+    let width = width(arguments.width);
+    let is_expected = found.iter().all(|(_, claim)| claim.as_expected());
+    let outcome = if is_expected {
+        outcome
+    } else {
+        outcome.max(Outcome::Differs)
+    };
+    let explanations = found.into_iter();
+    let written = match arguments.format {
+        Format::Text => {
+            joined(explanations.map(|(audit, claim)| text::explanation(audit, claim, width)))
+        }
+        Format::Json => explanations
+            .map(|(audit, claim)| json::explanation(audit, claim))
+            .collect(),
+        Format::Markdown | Format::Latex => {
+            return wrong(
+                "an explanation has no such format",
+                "use `--format text` or `json`",
+            );
+        }
+    };
+    finish(&written, outcome)
+}
+
+/// The identifier that is meant by an identifier or by a label, with its brackets or without.
+fn identifier(wanted: &str) -> String {
+    let inner = wanted.trim().trim_matches(['(', ')', '[', ']']);
+    let words = inner.split(|letter: char| !letter.is_alphanumeric() && letter != '.');
+    let words: Vec<String> = words
+        .filter(|word| !word.is_empty())
+        .map(str::to_lowercase)
+        .collect();
+    words.join("-")
+}
+
+fn unknown(wanted: &str, near: &[&str]) -> Outcome {
+    let help = match near {
+        [] => "`sextic audit --format json` lists all ids".to_owned(),
+        near => format!("did you mean {}?", near.join(", ")),
+    };
+    wrong(&format!("no assertion is called `{wanted}`"), &help)
+}
+
+/// The identifiers most like a misspelt one, the most likely first.
+fn nearest_identifiers<'a>(
+    wanted: &str,
+    identifiers: impl Iterator<Item = &'a str>,
+) -> Vec<&'a str> {
+    let mut near: Vec<(f64, &str)> = identifiers
+        .map(|identifier| (strsim::jaro_winkler(wanted, identifier), identifier))
+        .filter(|(likeness, _)| *likeness >= LEAST_LIKENESS)
+        .collect();
+    near.sort_by(|(left, _), (right, _)| right.total_cmp(left));
+    near.into_iter()
+        .map(|(_, identifier)| identifier)
+        .take(SUGGESTIONS)
+        .collect()
+}
+
+/// Texts with an empty line between them.
+fn joined(texts: impl Iterator<Item = String>) -> String {
+    texts.collect::<Vec<_>>().join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_are_accepted_for_identifiers() {
+        for wanted in ["8-printed", "(8, printed)", "8, printed"] {
+            assert_eq!(identifier(wanted), "8-printed");
+        }
+        assert_eq!(identifier("[centre of mode 1]"), "centre-of-mode-1");
+        assert_eq!(identifier("A.3"), "a.3");
+    }
+
+    #[test]
+    fn the_nearest_identifiers_come_first() {
+        let identifiers = ["8", "8-printed", "den-hartog", "18-printed"];
+        let near = nearest_identifiers("8-prnted", identifiers.into_iter());
+        assert_eq!(near.first(), Some(&"8-printed"));
+        assert!(!near.contains(&"den-hartog"));
+    }
+}

@@ -1,0 +1,68 @@
+//! `sextic match`: polynomials matched coefficient by coefficient.
+
+use clap::Args;
+
+use crate::derivation::audit::Audit;
+use crate::derivation::matching::Matched;
+use crate::report::{json, latex, markdown, text};
+
+use super::Outcome;
+use super::output::{Format, complain, finish, width};
+use super::source::audit_all;
+
+/// Shows the matchings of a document, power by power
+///
+/// A `match` of a document equates the coefficients of a known polynomial with those of an assumed
+/// product, and solves for the unknowns of the product. Shown are both coefficients of every power,
+/// what the solution leaves of them, what was neglected, and where the equations are singular.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// A Markdown document; without one, those that come with the command
+    #[arg(value_name = "DOC")]
+    document: Option<String>,
+
+    /// How the matchings are written
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+
+    /// How many columns text may fill (at least 40); as many as the terminal has if not given
+    #[arg(long, value_name = "COLUMNS")]
+    width: Option<usize>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  sextic match                          the matchings of the documents that come with the command
+  sextic match paper.md                 those of a document of your own
+  sextic match --format json | jq '.matchings[0].solution'";
+
+/// Carries out the matchings of a document and writes them.
+pub fn run(arguments: &Arguments) -> Outcome {
+    let (audits, outcome) = audit_all(arguments.document.as_slice());
+    if !audits.is_empty() && audits.iter().all(|audit| audit.matchings.is_empty()) {
+        complain("the document matches no polynomials: it has no `match`\n");
+    }
+    let width = width(arguments.width);
+    let written = match arguments.format {
+        Format::Text => joined(&audits, |path, matched| {
+            text::matching(path, matched, width)
+        }),
+        Format::Json => json::matchings(&audits),
+        Format::Markdown => joined(&audits, markdown::matching),
+        Format::Latex => latex::matchings(&audits),
+    };
+    finish(&written, outcome)
+}
+
+/// All matchings, with an empty line between them.
+fn joined(audits: &[Audit], write: impl Fn(&str, &Matched) -> String) -> String {
+    let matchings = audits.iter().flat_map(|audit| {
+        let matchings = audit.matchings.iter();
+        matchings.map(|matched| (audit.path.as_str(), matched))
+    });
+    let written: Vec<String> = matchings
+        .map(|(path, matched)| write(path, matched))
+        .collect();
+    written.join("\n")
+}

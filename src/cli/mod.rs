@@ -1,0 +1,82 @@
+//! The command line: one file a subcommand; nothing else reads or writes files.
+
+mod audit;
+mod match_coefficients;
+mod output;
+mod source;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// What a command found, in the order in which one outweighs another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Outcome {
+    /// All is as the documents expect.
+    AsExpected,
+    /// A verdict differs, or a check fails.
+    Differs,
+    /// The input is wrong.
+    WrongInput,
+}
+
+impl From<Outcome> for ExitCode {
+    fn from(outcome: Outcome) -> Self {
+        ExitCode::from(match outcome {
+            Outcome::AsExpected => 0,
+            Outcome::Differs => 1,
+            Outcome::WrongInput => 2,
+        })
+    }
+}
+
+/// Derives, audits and compiles closed-form stability criteria, exactly.
+///
+/// A derivation is a Markdown document whose equations, in blocks fenced as `sextic`, are checked by
+/// exact algebra. Documents come with the command; a path names one of your own.
+#[derive(Debug, Parser)]
+#[command(name = "sextic", version, after_help = EXIT_STATUS)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Audit(audit::Arguments),
+    Match(match_coefficients::Arguments),
+}
+
+const EXIT_STATUS: &str = "\
+Exit status:
+  0  all is as the document expects
+  1  a verdict differs, or a check fails
+  2  the input is wrong
+
+Results go to standard output, diagnostics to standard error. NO_COLOR is honoured.";
+
+/// Runs the command that the arguments of the process ask for.
+pub fn run() -> ExitCode {
+    let outcome = match Arguments::parse().command {
+        Command::Audit(arguments) => audit::run(&arguments),
+        Command::Match(arguments) => match_coefficients::run(&arguments),
+    };
+    outcome.into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_arguments_are_consistent() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn wrong_input_outweighs_all() {
+        assert!(Outcome::WrongInput > Outcome::Differs);
+        assert!(Outcome::Differs > Outcome::AsExpected);
+    }
+}

@@ -1,0 +1,99 @@
+//! Results to standard output, diagnostics to standard error.
+
+use std::io::{self, IsTerminal, Write};
+
+use anstyle::AnsiColor;
+use clap::ValueEnum;
+
+use crate::derivation::audit::Rejected;
+use crate::derivation::diagnostic::{DiagnosticKind, render};
+
+use super::Outcome;
+
+/// The width where no terminal says how wide it is.
+const USUAL_WIDTH: usize = 100;
+
+/// How results are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// For a terminal
+    Text,
+    /// For programs; expressions as SymPy reads them
+    Json,
+    /// For a code host or a notebook
+    Markdown,
+    /// A document for pdflatex
+    Latex,
+}
+
+/// Writes results, with colours only where they are seen.
+///
+/// A reader who has seen enough closes the pipe: that is no mistake of anybody.
+fn print(text: &str) -> Result<(), io::Error> {
+    let mut stream = anstream::stdout().lock();
+    let written = stream
+        .write_all(text.as_bytes())
+        .and_then(|()| stream.flush());
+    match written {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        written => written,
+    }
+}
+
+/// Writes results: the outcome, which is worse if they cannot be written.
+pub fn finish(text: &str, outcome: Outcome) -> Outcome {
+    match print(text) {
+        Ok(()) => outcome,
+        Err(error) => {
+            complain(&format!("standard output cannot be written: {error}\n"));
+            outcome.max(Outcome::Differs)
+        }
+    }
+}
+
+/// Writes to standard error; if that is closed, there is nobody to tell.
+pub fn complain(text: &str) {
+    let mut stream = anstream::stderr().lock();
+    let _ = stream
+        .write_all(text.as_bytes())
+        .and_then(|()| stream.flush());
+}
+
+/// Writes what is wrong with the command itself, and what to do about it.
+pub fn wrong(message: &str, help: &str) -> Outcome {
+    let (alarm, hint) = (AnsiColor::Red.on_default(), AnsiColor::Cyan.on_default());
+    complain(&format!(
+        "{alarm}Error:{alarm:#} {message}\n{hint}Help:{hint:#} {help}\n"
+    ));
+    Outcome::WrongInput
+}
+
+/// Writes what is wrong with a document.
+pub fn reject(rejected: &Rejected) -> Outcome {
+    for diagnostic in &rejected.diagnostics {
+        complain(&render(diagnostic, &rejected.source, true));
+    }
+    let mut kinds = rejected
+        .diagnostics
+        .iter()
+        .map(|diagnostic| diagnostic.kind);
+    // A disagreement of the two routes is a mistake of this program, not of the document.
+    if kinds.all(|kind| kind == DiagnosticKind::Disagreement) {
+        Outcome::Differs
+    } else {
+        Outcome::WrongInput
+    }
+}
+
+/// How many columns to fill: those asked for, or those of the terminal.
+pub fn width(asked: Option<usize>) -> usize {
+    let terminal = || {
+        let stream = io::stdout();
+        let is_terminal = stream.is_terminal();
+        let size = is_terminal
+            .then(|| terminal_size::terminal_size_of(stream))
+            .flatten();
+        size.map(|(terminal_size::Width(columns), _)| usize::from(columns))
+    };
+    asked.or_else(terminal).unwrap_or(USUAL_WIDTH)
+}

@@ -1,0 +1,87 @@
+//! Reading documents from the disk.
+
+use std::fs;
+use std::io::ErrorKind;
+
+use crate::derivation::audit::{Audit, Library, Rejected, audit};
+use crate::derivation::diagnostic::SourceFile;
+use crate::documents::{ShippedLibrary, resolve, shipped};
+
+use super::Outcome;
+use super::output::{reject, wrong};
+
+/// Audits the documents with these paths, or those that come with the command where there are none.
+///
+/// What is wrong with a document is written to standard error, and the others are audited all the same.
+pub fn audit_all(paths: &[String]) -> (Vec<Audit>, Outcome) {
+    let mut audits = Vec::new();
+    let mut outcome = Outcome::AsExpected;
+    let mut take = |audited: Result<Audit, Outcome>| match audited {
+        Ok(audit) => audits.push(audit),
+        Err(failed) => outcome = outcome.max(failed),
+    };
+    if paths.is_empty() {
+        shipped().for_each(|source| take(audit_one(&source, &ShippedLibrary)));
+    }
+    for path in paths {
+        take(read(path).and_then(|source| audit_one(&source, &Disk)));
+    }
+    (audits, outcome)
+}
+
+fn audit_one(source: &SourceFile, library: &dyn Library) -> Result<Audit, Outcome> {
+    audit(source, library).map_err(|rejected| reject(&rejected))
+}
+
+/// The documents on the disk, which import each other by paths relative to themselves.
+struct Disk;
+
+impl Library for Disk {
+    fn read(&self, path: &str, from: &str) -> Result<SourceFile, String> {
+        let path = resolve(path, &slashes(from));
+        let bytes = fs::read(&path).map_err(|error| reason(&error))?;
+        SourceFile::from_bytes(path, &bytes).map_err(|error| error.message)
+    }
+}
+
+fn read(path: &str) -> Result<SourceFile, Outcome> {
+    // Spelled as an import would spell it, so that a document that imports itself is recognised.
+    let name = resolve(&slashes(path), "");
+    let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
+    SourceFile::from_bytes(&name, &bytes).map_err(|error| {
+        let source = SourceFile::from_bytes_lossy(&name, &bytes);
+        reject(&Rejected {
+            source,
+            diagnostics: vec![error],
+        })
+    })
+}
+
+fn unreadable(path: &str, error: &std::io::Error) -> Outcome {
+    let is_shipped = shipped().any(|document| document.path == path);
+    let help = match error.kind() {
+        ErrorKind::IsADirectory => "name the documents in it",
+        _ if is_shipped => "this document comes with the command: leave its path away",
+        _ => "name a Markdown document, or none for those that come with the command",
+    };
+    wrong(&format!("`{path}` cannot be read: {}", reason(error)), help)
+}
+
+/// Why a file cannot be read, in a few words.
+fn reason(error: &std::io::Error) -> String {
+    match error.kind() {
+        ErrorKind::NotFound => "there is no such file".to_owned(),
+        ErrorKind::IsADirectory => "it is a folder".to_owned(),
+        ErrorKind::PermissionDenied => "permission denied".to_owned(),
+        _ => error.to_string(),
+    }
+}
+
+/// A path with the separator that documents use.
+fn slashes(path: &str) -> String {
+    if cfg!(windows) {
+        path.replace('\\', "/")
+    } else {
+        path.to_owned()
+    }
+}

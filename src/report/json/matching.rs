@@ -1,0 +1,146 @@
+//! The JSON of `sextic match`.
+
+use serde::Serialize;
+
+use crate::derivation::audit::Audit;
+use crate::derivation::matching::{Matched, Neglected, Row, Singularity};
+use crate::derivation::notation::Notation;
+use crate::report::words;
+
+use super::ascii;
+use super::pairs::{Pairs, pairs};
+
+#[derive(Serialize)]
+struct Matchings<'a> {
+    matchings: Vec<MatchingObject<'a>>,
+}
+
+#[derive(Serialize)]
+struct MatchingObject<'a> {
+    id: &'a str,
+    equation: Option<&'a str>,
+    name: &'a str,
+    path: &'a str,
+    line: usize,
+    description: Option<&'a str>,
+    variable: &'a str,
+    exact: String,
+    assumed: String,
+    definitions: Pairs,
+    unknowns: Vec<&'a str>,
+    powers: &'a [u32],
+    solution: Pairs,
+    determinant: String,
+    singular_where: Vec<String>,
+    /// Whether the solution stays finite wherever the linear equations are singular.
+    finite: bool,
+    singularities: Vec<SingularityObject>,
+    neglected: Vec<String>,
+    neglected_terms: Vec<NeglectedObject>,
+    small: Vec<&'a str>,
+    table: Vec<RowObject>,
+}
+
+#[derive(Serialize)]
+struct SingularityObject {
+    factor: String,
+    finite: bool,
+}
+
+#[derive(Serialize)]
+struct NeglectedObject {
+    expression: String,
+    power: u32,
+    factor: String,
+}
+
+#[derive(Serialize)]
+struct RowObject {
+    power: u32,
+    exact: String,
+    assumed: String,
+    residual: String,
+    order: Option<u32>,
+    used: bool,
+}
+
+/// Writes the matchings of documents.
+pub fn matchings(audits: &[Audit]) -> String {
+    let matchings = audits.iter().flat_map(|audit| {
+        audit
+            .matchings
+            .iter()
+            .map(|matched| matching_object(&audit.path, matched))
+    });
+    super::write(&Matchings {
+        matchings: matchings.collect(),
+    })
+}
+
+fn matching_object<'a>(path: &'a str, matched: &'a Matched) -> MatchingObject<'a> {
+    let singular = matched.singular_where.iter();
+    MatchingObject {
+        id: &matched.label.id,
+        equation: matched.label.equation.as_deref(),
+        name: &matched.name.ascii,
+        path,
+        line: matched.line,
+        description: matched.description.as_deref(),
+        variable: &matched.variable.ascii,
+        exact: ascii(&matched.polynomials.0),
+        assumed: ascii(&matched.polynomials.1),
+        definitions: pairs(&matched.definitions),
+        unknowns: matched
+            .solution
+            .iter()
+            .map(|(name, _)| name.ascii.as_str())
+            .collect(),
+        powers: &matched.powers,
+        solution: pairs(&matched.solution),
+        determinant: ascii(&matched.determinant),
+        singular_where: singular
+            .clone()
+            .map(|singularity| words::singularity(singularity, Notation::Ascii))
+            .collect(),
+        finite: singular.clone().all(|singularity| singularity.finite),
+        singularities: singular.map(singularity_object).collect(),
+        neglected: matched
+            .neglected
+            .iter()
+            .map(|one| ascii(&one.expression))
+            .collect(),
+        neglected_terms: matched.neglected.iter().map(neglected_object).collect(),
+        small: matched
+            .small
+            .iter()
+            .map(|name| name.ascii.as_str())
+            .collect(),
+        table: matched.table.iter().map(row_object).collect(),
+    }
+}
+
+fn singularity_object(singularity: &Singularity) -> SingularityObject {
+    SingularityObject {
+        factor: ascii(&singularity.factor),
+        finite: singularity.finite,
+    }
+}
+
+fn neglected_object(neglected: &Neglected) -> NeglectedObject {
+    NeglectedObject {
+        expression: ascii(&neglected.expression),
+        power: neglected.power,
+        factor: ascii(&neglected.factor),
+    }
+}
+
+fn row_object(row: &Row) -> RowObject {
+    RowObject {
+        power: row.power,
+        exact: ascii(&row.exact),
+        assumed: ascii(&row.assumed),
+        residual: ascii(&row.residual),
+        order: row.order,
+        used: row.used,
+    }
+}

@@ -1,0 +1,40 @@
+//! An object whose members keep their order.
+
+use serde::{Serialize, Serializer};
+
+use crate::derivation::syntax::{Expression, Name};
+
+use super::ascii;
+
+/// Names and values, written as one object in this order.
+pub struct Pairs(pub Vec<(String, String)>);
+
+impl Serialize for Pairs {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+    }
+}
+
+/// Names and what they are.
+pub fn pairs(named: &[(Name, Expression)]) -> Pairs {
+    Pairs(
+        named
+            .iter()
+            .map(|(name, value)| (name.ascii.clone(), ascii(value)))
+            .collect(),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn order_is_kept() {
+        let pairs = Pairs(vec![("b".into(), "1".into()), ("a".into(), "2".into())]);
+        assert_eq!(
+            serde_json::to_string(&pairs).unwrap(),
+            r#"{"b":"1","a":"2"}"#
+        );
+    }
+}

@@ -1,0 +1,198 @@
+//! Verdicts and matchings as a LaTeX document.
+
+mod escape;
+
+use crate::derivation::audit::Audit;
+use crate::derivation::matching::{Matched, Row};
+use crate::derivation::notation::Notation;
+use crate::derivation::syntax::Expression;
+use crate::derivation::verdict::{Claim, Verdict};
+
+use super::details::{Extent, details};
+use super::phrase::Phrase;
+use super::summary::Summary;
+use super::words;
+use escape::escape;
+
+const PREAMBLE: &str = r"\documentclass{article}
+\usepackage[T1]{fontenc}
+\usepackage{textcomp}
+\usepackage{amsmath, amssymb}
+\usepackage{longtable}
+\usepackage[margin=25mm]{geometry}
+% Long formulas are broken at their operators, never stretched.
+\raggedright
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{4pt}
+\allowdisplaybreaks
+% One assertion: verdict, label, description.
+\newcommand{\assertion}[3]{\par\medskip\textbf{#2}\quad\textit{#1}\quad #3\par\nopagebreak}
+";
+
+/// Writes all verdicts on documents, and what they come to.
+pub fn audits(audits: &[Audit]) -> String {
+    document(audits.iter().map(audit))
+}
+
+/// Writes the matchings of documents.
+pub fn matchings(audits: &[Audit]) -> String {
+    let matchings = audits.iter().flat_map(|audit| {
+        audit
+            .matchings
+            .iter()
+            .map(|matched| matching(&audit.path, matched))
+    });
+    document(matchings)
+}
+
+fn document(sections: impl Iterator<Item = String>) -> String {
+    let sections: Vec<String> = sections.collect();
+    format!(
+        "{PREAMBLE}\n\\begin{{document}}\n\n{}\n\\end{{document}}\n",
+        sections.join("\n")
+    )
+}
+
+fn audit(audit: &Audit) -> String {
+    let summary = Summary::new(audit);
+    let title = audit.title.as_deref().unwrap_or(&audit.path);
+    let mut page = format!("\\section*{{{}}}\n", escape(title));
+    page += &format!("The verdicts on \\texttt{{{}}}. ", escape(&audit.path));
+    page += &format!("{}\n", escape(&summary.conclusion()));
+    if !summary.counts.is_empty() {
+        let rows = summary.counts.iter().map(|(verdict, count)| {
+            format!("{} {} & {count} \\\\\n", mark(*verdict), verdict.text())
+        });
+        let rows: String = rows.collect();
+        page += &format!("\n\\begin{{longtable}}{{lr}}\n{rows}\\end{{longtable}}\n");
+    }
+    for (heading, claims) in summary.failures() {
+        let items = claims.iter().map(|claim| {
+            format!(
+                "\\item {} {}\n",
+                escape(&words::label(&claim.label)),
+                description(claim)
+            )
+        });
+        let items: String = items.collect();
+        page +=
+            &format!("\n\\subsection*{{{heading}}}\n\\begin{{itemize}}\n{items}\\end{{itemize}}\n");
+    }
+    if !audit.claims.is_empty() {
+        page += "\n\\subsection*{Verdicts}\n";
+    }
+    for claim in &audit.claims {
+        page += &self::claim(claim);
+    }
+    page
+}
+
+fn claim(claim: &Claim) -> String {
+    let mut written = format!(
+        "\n\\assertion{{{} {}}}{{{}}}{{{}}}\n",
+        mark(claim.verdict),
+        claim.verdict.text(),
+        escape(&words::label(&claim.label)),
+        description(claim)
+    );
+    if let Some(surprise) = words::surprise(claim) {
+        written += &format!("\\textbf{{{}}}\\par\n", escape(&surprise));
+    }
+    written += &format!(
+        "{}\\par\n",
+        mathematics(&Notation::Latex.relation(&claim.statement))
+    );
+    for detail in details(claim, Notation::Latex, Extent::Full) {
+        written += &format!("{} {}\\par\n", detail.keyword, phrase(&detail.phrase));
+    }
+    written
+}
+
+fn matching(path: &str, matched: &Matched) -> String {
+    let label = escape(&words::label(&matched.label));
+    let mut page = format!("\\section*{{{label} {}}}\n", escape(&matched.name.unicode));
+    if let Some(description) = &matched.description {
+        page += &format!("{}.\n", escape(description));
+    }
+    page += &format!("\\texttt{{{}}}, line {}\n\n", escape(path), matched.line);
+    let (exact, assumed) = words::polynomials(matched, Notation::Latex);
+    page += &format!(
+        "{} is matched with {}.\n",
+        mathematics(&exact),
+        mathematics(&assumed)
+    );
+    page += "\n\\subsection*{Coefficients}\n\\begin{description}\n";
+    for row in &matched.table {
+        page += &coefficients(matched, row);
+    }
+    page += "\\end{description}\n";
+    if !matched.neglected.is_empty() {
+        page += "\n\\subsection*{Neglected}\n";
+    }
+    for neglected in &matched.neglected {
+        let power = mathematics(&words::power(matched, neglected.power, Notation::Latex));
+        let (expression, factor) = (formula(&neglected.expression), formula(&neglected.factor));
+        page += &format!(
+            "{expression} in the coefficient of {power}, where its factor is {factor}\\par\n"
+        );
+    }
+    page += "\n\\subsection*{The linear equations}\n";
+    page += &format!("Their determinant is {}.\n", formula(&matched.determinant));
+    for singularity in &matched.singular_where {
+        let place = mathematics(&words::singularity(singularity, Notation::Latex));
+        page += &format!(
+            "They are singular where {place}{}.\n",
+            words::at_singularity(singularity)
+        );
+    }
+    page += "\n\\subsection*{Solution}\n";
+    for (name, value) in &matched.solution {
+        let value = Notation::Latex.expression(value);
+        let equation = format!("{} = {value}", Notation::Latex.name(name));
+        page += &format!("{}\\par\n", mathematics(&equation));
+    }
+    page
+}
+
+fn coefficients(matched: &Matched, row: &Row) -> String {
+    let power = mathematics(&words::power(matched, row.power, Notation::Latex));
+    let used = if row.used {
+        "used to solve"
+    } else {
+        "not used"
+    };
+    let remainder = phrase(&words::remainder(matched, row, Notation::Latex));
+    let mut written = format!("\\item[{power}] {used}, {remainder}\\par\n");
+    written += &format!("exact {}\\par\n", formula(&row.exact));
+    written += &format!("assumed {}\\par\n", formula(&row.assumed));
+    if !words::is_zero(&row.residual) {
+        written += &format!("residual {}\\par\n", formula(&row.residual));
+    }
+    written
+}
+
+/// The mark of a verdict in the symbols of amssymb.
+const fn mark(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Holds | Verdict::HoldsWhere => r"$\checkmark$",
+        Verdict::Approximate => r"$\approx$",
+        Verdict::Refuted | Verdict::IllFormed => r"$\times$",
+        Verdict::Undecided => "?",
+    }
+}
+
+fn description(claim: &Claim) -> String {
+    claim.description.as_deref().map(escape).unwrap_or_default()
+}
+
+fn phrase(phrase: &Phrase) -> String {
+    phrase.render(escape, mathematics)
+}
+
+fn formula(expression: &Expression) -> String {
+    mathematics(&Notation::Latex.expression(expression))
+}
+
+fn mathematics(formula: &str) -> String {
+    format!("${formula}$")
+}

@@ -1,0 +1,85 @@
+//! A document's verdicts at a glance.
+
+use crate::derivation::audit::Audit;
+use crate::derivation::verdict::{Claim, Verdict};
+
+use super::words;
+
+/// The verdicts, in the order in which they are counted.
+const VERDICTS: [Verdict; 6] = [
+    Verdict::Holds,
+    Verdict::HoldsWhere,
+    Verdict::Approximate,
+    Verdict::Refuted,
+    Verdict::IllFormed,
+    Verdict::Undecided,
+];
+
+/// What a document's verdicts come to.
+#[derive(Clone, Debug)]
+pub struct Summary<'a> {
+    /// How often each verdict was given; those that were not given are left out.
+    pub counts: Vec<(Verdict, usize)>,
+    /// Numbered equations that do not hold.
+    pub equations: Vec<&'a Claim>,
+    /// Other statements that do not hold.
+    pub statements: Vec<&'a Claim>,
+    /// Claims whose verdict is not the one that the author expects.
+    pub surprises: Vec<&'a Claim>,
+    total: usize,
+}
+
+impl<'a> Summary<'a> {
+    /// Sums up what became of a document.
+    pub fn new(audit: &'a Audit) -> Self {
+        let count = |verdict| {
+            audit
+                .claims
+                .iter()
+                .filter(|claim| claim.verdict == verdict)
+                .count()
+        };
+        let counts = VERDICTS.map(|verdict| (verdict, count(verdict)));
+        let failing = audit
+            .claims
+            .iter()
+            .filter(|claim| words::fails(claim.verdict));
+        let (equations, statements) = failing.partition(|claim| claim.label.equation.is_some());
+        Summary {
+            counts: counts.into_iter().filter(|(_, count)| *count > 0).collect(),
+            equations,
+            statements,
+            surprises: audit
+                .claims
+                .iter()
+                .filter(|claim| !claim.as_expected())
+                .collect(),
+            total: audit.claims.len(),
+        }
+    }
+
+    /// What does not hold, under a heading each.
+    pub fn failures(&self) -> impl Iterator<Item = (&'static str, &[&'a Claim])> {
+        let lists = [
+            (
+                "Numbered equations that do not hold",
+                self.equations.as_slice(),
+            ),
+            ("Statements that do not hold", self.statements.as_slice()),
+        ];
+        lists.into_iter().filter(|(_, claims)| !claims.is_empty())
+    }
+
+    /// Whether all is as the document expects, in a sentence.
+    pub fn conclusion(&self) -> String {
+        match (self.total, self.surprises.len()) {
+            (0, _) => "The document asserts nothing.".into(),
+            (1, 0) => "The one verdict is as the document expects.".into(),
+            (total, 0) => format!("All {total} verdicts are as the document expects."),
+            (total, 1) => format!("1 of {total} verdicts is NOT as the document expects."),
+            (total, surprises) => {
+                format!("{surprises} of {total} verdicts are NOT as the document expects.")
+            }
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! One claim among others.
+
+use crate::derivation::notation::Notation;
+use crate::derivation::verdict::Claim;
+use crate::report::details::{Extent, details};
+use crate::report::words;
+
+use super::page::{Page, column, spaces};
+use super::palette::{self, ALARM, FAINT, PLAIN, STRONG};
+use super::wrap::Run;
+
+/// The columns of a mark and a verdict; all else stands to the right of them.
+const INDENT: usize = 15;
+/// The column of the later lines of an expression.
+const CONTINUATION: usize = INDENT + 2;
+/// How many lines an overview gives to a statement.
+const MOST_LINES_OF_STATEMENT: usize = 4;
+/// How many lines an overview gives to a formula below the verdict.
+const MOST_LINES_OF_DETAIL: usize = 3;
+
+/// Writes a claim: its verdict, its name, what it says, and what stands below the verdict.
+pub fn write(page: &mut Page, claim: &Claim) {
+    headline(page, claim);
+    if let Some(surprise) = words::surprise(claim) {
+        page.prose(&[spaces(INDENT)], &[Run::words(surprise, ALARM)]);
+    }
+    let statement = Notation::Unicode.relation(&claim.statement);
+    let mut is_shortened = page.expression(
+        &[spaces(INDENT)],
+        CONTINUATION,
+        &statement,
+        MOST_LINES_OF_STATEMENT,
+    );
+    for detail in details(claim, Notation::Unicode, Extent::Overview) {
+        is_shortened |= detail.is_shortened;
+        match detail.phrase.as_mathematics() {
+            Some(formula) => {
+                let keyword = Run::words(format!("{} ", detail.keyword), FAINT);
+                let prefix = [spaces(INDENT), keyword];
+                is_shortened |=
+                    page.expression(&prefix, CONTINUATION, formula, MOST_LINES_OF_DETAIL);
+            }
+            None => page.phrase(INDENT, detail.keyword, &detail.phrase),
+        }
+    }
+    if is_shortened {
+        page.hint(
+            INDENT,
+            &format!("… in full: sextic audit --explain {}", claim.label.id),
+        );
+    }
+}
+
+/// `✓ holds        (1)  the mass centre is a point of the body`
+pub fn headline(page: &mut Page, claim: &Claim) {
+    let style = palette::of_claim(claim);
+    let verdict = format!("{} {}", words::mark(claim.verdict), claim.verdict.text());
+    let mut runs = vec![Run::words(words::label(&claim.label), STRONG)];
+    if let Some(description) = &claim.description {
+        runs.push(Run::words(format!("  {description}"), PLAIN));
+    }
+    page.prose(&column(&verdict, INDENT, style), &runs);
+}

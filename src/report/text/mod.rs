@@ -1,0 +1,16 @@
+//! Verdicts and matchings for a terminal.
+//!
+//! Colours are always written, as ANSI codes; the stream that they are written to strips them where
+//! nobody would see them.
+
+mod audit;
+mod claim;
+mod explanation;
+mod matching;
+mod page;
+mod palette;
+mod wrap;
+
+pub use audit::audit;
+pub use explanation::explanation;
+pub use matching::matching;

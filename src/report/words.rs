@@ -1,0 +1,128 @@
+//! The names that verdicts, expectations and places go by in every view.
+
+use crate::algebra::number::Rational;
+use crate::derivation::condition::Requirement;
+use crate::derivation::matching::{Matched, Row, Singularity};
+use crate::derivation::notation::Notation;
+use crate::derivation::syntax::{BinaryOperator, Expectation, Expression, Label, Node};
+use crate::derivation::verdict::{Claim, Condition, Verdict};
+
+use super::phrase::Phrase;
+
+/// `(8, printed)` or `[centre of rotation]`, as the document writes it.
+pub fn label(label: &Label) -> String {
+    match label.equation {
+        Some(_) => format!("({})", label.text),
+        None => format!("[{}]", label.text),
+    }
+}
+
+/// One character that stands for a verdict.
+pub const fn mark(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Holds | Verdict::HoldsWhere => "✓",
+        Verdict::Approximate => "≈",
+        Verdict::Refuted | Verdict::IllFormed => "✗",
+        Verdict::Undecided => "?",
+    }
+}
+
+/// What the author expects, in the words of a verdict.
+pub const fn expectation(expectation: Expectation) -> &'static str {
+    match expectation {
+        Expectation::Holds => "holds",
+        Expectation::Refuted => "refuted",
+        Expectation::Approximate => "approximate",
+        Expectation::IllFormed => "ill-formed",
+    }
+}
+
+/// Whether a verdict means that what is asserted is not so.
+pub const fn fails(verdict: Verdict) -> bool {
+    matches!(verdict, Verdict::Refuted | Verdict::IllFormed)
+}
+
+/// `NOT AS EXPECTED: the document expects “holds”`, of a verdict that the author does not expect.
+pub fn surprise(claim: &Claim) -> Option<String> {
+    let expected = expectation(claim.expectation);
+    (!claim.as_expected()).then(|| format!("NOT AS EXPECTED: the document expects “{expected}”"))
+}
+
+/// `sin(α_g + θ_0) ≠ 0`
+pub fn condition(condition: &Condition, notation: Notation) -> String {
+    let expression = notation.expression(&condition.expression);
+    let sign = match (condition.requirement, notation) {
+        (Requirement::Positive, _) => ">",
+        (Requirement::NonZero, Notation::Unicode) => "≠",
+        (Requirement::NonZero, Notation::Ascii) => "!=",
+        (Requirement::NonZero, Notation::Latex) => r"\ne",
+    };
+    format!("{expression} {sign} 0")
+}
+
+/// `L_g = 0`: where the equations of a matching are singular.
+pub fn singularity(singularity: &Singularity, notation: Notation) -> String {
+    let equal = if notation == Notation::Ascii {
+        "=="
+    } else {
+        "="
+    };
+    format!("{} {equal} 0", notation.expression(&singularity.factor))
+}
+
+/// What a matching matches: a name that is defined is followed by its definition.
+pub fn polynomials(matched: &Matched, notation: Notation) -> (String, String) {
+    let write = |expression: &Expression| {
+        let written = notation.expression(expression);
+        let Node::Name(name) = &expression.node else {
+            return written;
+        };
+        let definition = matched.definitions.iter().find(|(known, _)| known == name);
+        match definition {
+            Some((_, definition)) => format!("{written} = {}", notation.expression(definition)),
+            None => written,
+        }
+    };
+    (write(&matched.polynomials.0), write(&matched.polynomials.1))
+}
+
+/// `λ⁵`, `λ` or `1`: a power of the variable of a matching.
+pub fn power(matched: &Matched, power: u32, notation: Notation) -> String {
+    let number = |value: u32| Expression::number(value.into());
+    let variable = Expression::name(matched.variable.clone());
+    notation.expression(&match power {
+        0 => number(1),
+        1 => variable,
+        _ => Expression::binary(BinaryOperator::Power, variable, number(power)),
+    })
+}
+
+/// What the solution of a matching leaves of a coefficient.
+pub fn remainder(matched: &Matched, row: &Row, notation: Notation) -> Phrase {
+    match row.order {
+        _ if is_zero(&row.residual) => Phrase::of_words("matched exactly"),
+        Some(order) => Phrase::of_words(format!("a residual of order {order} in "))
+            .list(matched.small.iter().map(|name| notation.name(name)), ", "),
+        None => Phrase::of_words("a residual"),
+    }
+}
+
+/// What becomes of the solution of a matching where its equations are singular.
+pub const fn at_singularity(singularity: &Singularity) -> &'static str {
+    if singularity.finite {
+        ", where the solution stays finite"
+    } else {
+        ", where the solution does not exist"
+    }
+}
+
+/// Whether an expression is the number 0.
+pub fn is_zero(expression: &Expression) -> bool {
+    matches!(&expression.node, Node::Number(number) if *number == Rational::ZERO)
+}
+
+/// `1 verdict`, `2 verdicts`
+pub fn counted(count: usize, noun: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {noun}{plural}")
+}
