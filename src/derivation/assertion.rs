@@ -20,9 +20,10 @@ use super::evaluation::number::Number;
 use super::evaluation::point::Size;
 use super::presentation::Presenter;
 use super::quantity::{Value, common_unit};
-use super::scope::{Meaning, Scope};
+use super::foundation::Foundation;
+use super::scope::Scope;
 use super::syntax::{
-    Comparison, Expectation, Expression, Label, Name, Order, Place, Relation, Span,
+    Comparison, Expectation, Expression, Label, Order, Relation, Span,
 };
 use super::verdict::{Claim, Condition, Explanation, Verdict, Witness};
 
@@ -258,9 +259,8 @@ impl Elaborator {
         left: &Value,
         right: &Value,
     ) -> Result<Explanation, Diagnostic> {
-        let mut definitions = Vec::new();
-        collect_definitions(&assertion.relation.left, &self.scope, &mut definitions);
-        collect_definitions(&assertion.relation.right, &self.scope, &mut definitions);
+        let Relation { left: a, right: b, .. } = &assertion.relation;
+        let definitions = Foundation::of(&self.scope, [a, b]);
         let present = |value: &Value| -> Result<Vec<Option<Expression>>, Diagnostic> {
             let entries = value.entries().iter().map(|entry| {
                 let terms = entry.value.numerator().len() + entry.value.denominator().len();
@@ -288,37 +288,6 @@ fn allowed(comparison: Comparison) -> Signs {
         Comparison::LessOrEqual => Signs::NON_NEGATIVE.opposite(),
         Comparison::Greater => Signs::POSITIVE,
         Comparison::GreaterOrEqual => Signs::NON_NEGATIVE,
-    }
-}
-
-/// The definitions that an expression rests on, each before those that use it.
-pub(super) fn collect_definitions(
-    expression: &Expression,
-    scope: &Scope,
-    found: &mut Vec<(Name, Expression)>,
-) {
-    let mut visit = |name: &Name| {
-        let definition = match scope.get(name).map(|entry| &entry.meaning) {
-            Some(Meaning::Definition { expression, .. } | Meaning::Template { expression, .. }) => {
-                expression
-            }
-            _ => return,
-        };
-        if !found.iter().any(|(known, _)| known == name) {
-            collect_definitions(definition, scope, found);
-            if !found.iter().any(|(known, _)| known == name) {
-                found.push((name.clone(), definition.clone()));
-            }
-        }
-    };
-    expression.visit_names(&mut visit);
-    if let super::syntax::Node::At(_, Place::Named(name)) = &expression.node
-        && let Some(Meaning::Substitution { replacements, .. }) =
-            scope.get(name).map(|entry| &entry.meaning)
-    {
-        for replacement in replacements {
-            collect_definitions(&replacement.value, scope, found);
-        }
     }
 }
 

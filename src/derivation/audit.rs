@@ -236,6 +236,7 @@ impl Reader<'_> {
                 let meaning = Meaning::Substitution {
                     replacements: replacements.clone(),
                     conditions: std::mem::take(&mut self.elaborator.conditions),
+                    sources: Vec::new(),
                 };
                 self.elaborator.scope.declare(name, meaning, None)
             }

@@ -476,7 +476,7 @@ impl Elaborator {
         let replacements: Vec<Replacement> = match place {
             Place::Replacements(replacements) => replacements.clone(),
             Place::Named(name) => match &self.scope.find(name, span)?.meaning {
-                Meaning::Substitution { replacements, conditions } => {
+                Meaning::Substitution { replacements, conditions, .. } => {
                     self.conditions.extend(conditions);
                     replacements.clone()
                 }

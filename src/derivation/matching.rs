@@ -11,7 +11,7 @@ use crate::algebra::polynomial::Polynomial;
 use crate::algebra::substitution::Substitution;
 use crate::algebra::symbol::Symbol;
 
-use super::assertion::collect_definitions;
+use super::foundation::Foundation;
 use super::condition::Conditions;
 use super::diagnostic::{Diagnostic, DiagnosticKind};
 use super::elaboration::{Elaborator, algebra, units};
@@ -36,7 +36,7 @@ pub struct Matched {
     /// The polynomial that is known, and the form it is assumed to have.
     pub polynomials: (Expression, Expression),
     /// The definitions that both rest on, each before those that use it.
-    pub definitions: Vec<(Name, Expression)>,
+    pub definitions: Vec<(Expression, Expression)>,
     /// The variable whose powers are compared.
     pub variable: Name,
     /// What was solved for, and the solution in lowest terms.
@@ -168,9 +168,8 @@ impl Elaborator {
                 })
             })
             .collect();
-        let mut definitions = Vec::new();
-        collect_definitions(&matching.exact, &self.scope, &mut definitions);
-        collect_definitions(&matching.assumed, &self.scope, &mut definitions);
+        let polynomials = [&matching.exact, &matching.assumed];
+        let definitions = Foundation::of(&self.scope, polynomials);
         let matched = Matched {
             definitions,
             label: matching.label.clone(),
@@ -201,7 +200,10 @@ impl Elaborator {
             target: Expression::name(name.clone()),
             value: value.clone(),
         });
-        let meaning = Meaning::Substitution { replacements: replacements.collect(), conditions };
+        let mut sources = vec![matching.exact.clone(), matching.assumed.clone()];
+        sources.extend(matching.neglected.iter().cloned());
+        let replacements = replacements.collect();
+        let meaning = Meaning::Substitution { replacements, conditions, sources };
         self.scope.declare(&matching.name, meaning, matching.description.clone())
     }
 

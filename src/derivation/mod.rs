@@ -10,6 +10,7 @@ pub mod document;
 pub mod elaboration;
 pub mod evaluation;
 pub mod expression_parser;
+mod foundation;
 pub mod function;
 pub mod label;
 mod lexer;

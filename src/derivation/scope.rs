@@ -53,6 +53,8 @@ pub enum Meaning {
         replacements: Vec<Replacement>,
         /// What must hold for the replacements to exist.
         conditions: Conditions,
+        /// Of the solution of a `match`: what it was found from.
+        sources: Vec<Expression>,
     },
 }
 

@@ -72,8 +72,9 @@ pub struct Witness {
 /// How a verdict was reached.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Explanation {
-    /// The definitions that the assertion rests on, each before those that use it.
-    pub definitions: Vec<(Name, Expression)>,
+    /// The definitions that the assertion rests on, left and right of `:=`, each before those that
+    /// use it.
+    pub definitions: Vec<(Expression, Expression)>,
     /// The normal forms of the left side, entry by entry; nothing for one too long to read.
     pub left: Vec<Option<Expression>>,
     /// The normal forms of the right side, entry by entry; nothing for one too long to read.
@@ -114,6 +115,12 @@ pub struct Claim {
 }
 
 impl Claim {
+    /// Whether the assertion quotes the source: its label ends in `printed` or in `stated`.
+    pub fn is_quotation(&self) -> bool {
+        let last = self.label.text.rsplit(',').next().unwrap_or_default();
+        matches!(last.trim(), "printed" | "stated")
+    }
+
     /// Whether the verdict is the one that the author expects.
     pub fn as_expected(&self) -> bool {
         self.verdict.meets(self.expectation)

@@ -26,9 +26,12 @@ impl Expression {
             }
             Node::At(inner, place) => {
                 inner.visit_names(visit);
-                if let Place::Replacements(replacements) = place {
-                    for replacement in replacements {
-                        replacement.value.visit_names(visit);
+                match place {
+                    Place::Named(name) => visit(name),
+                    Place::Replacements(replacements) => {
+                        for replacement in replacements {
+                            replacement.value.visit_names(visit);
+                        }
                     }
                 }
             }

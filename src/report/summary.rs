@@ -20,9 +20,9 @@ const VERDICTS: [Verdict; 6] = [
 pub struct Summary<'a> {
     /// How often each verdict was given; those that were not given are left out.
     pub counts: Vec<(Verdict, usize)>,
-    /// Numbered equations that do not hold.
+    /// Equations of the source that do not hold as it prints them.
     pub equations: Vec<&'a Claim>,
-    /// Other statements that do not hold.
+    /// Statements of the source that do not hold.
     pub statements: Vec<&'a Claim>,
     /// Claims whose verdict is not the one that the author expects.
     pub surprises: Vec<&'a Claim>,
@@ -43,8 +43,9 @@ impl<'a> Summary<'a> {
         let failing = audit
             .claims
             .iter()
-            .filter(|claim| words::fails(claim.verdict));
-        let (equations, statements) = failing.partition(|claim| claim.label.equation.is_some());
+            .filter(|claim| claim.is_quotation() && words::fails(claim.verdict));
+        let (equations, statements) =
+            failing.partition(|claim| claim.label.text.ends_with("printed"));
         Summary {
             counts: counts.into_iter().filter(|(_, count)| *count > 0).collect(),
             equations,
@@ -62,10 +63,10 @@ impl<'a> Summary<'a> {
     pub fn failures(&self) -> impl Iterator<Item = (&'static str, &[&'a Claim])> {
         let lists = [
             (
-                "Numbered equations that do not hold",
+                "Printed equations that do not hold",
                 self.equations.as_slice(),
             ),
-            ("Statements that do not hold", self.statements.as_slice()),
+            ("Stated facts that do not hold", self.statements.as_slice()),
         ];
         lists.into_iter().filter(|(_, claims)| !claims.is_empty())
     }

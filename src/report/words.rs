@@ -74,10 +74,7 @@ pub fn singularity(singularity: &Singularity, notation: Notation) -> String {
 pub fn polynomials(matched: &Matched, notation: Notation) -> (String, String) {
     let write = |expression: &Expression| {
         let written = notation.expression(expression);
-        let Node::Name(name) = &expression.node else {
-            return written;
-        };
-        let definition = matched.definitions.iter().find(|(known, _)| known == name);
+        let definition = matched.definitions.iter().find(|(known, _)| known == expression);
         match definition {
             Some((_, definition)) => format!("{written} = {}", notation.expression(definition)),
             None => written,

@@ -10,7 +10,7 @@ use crate::report::details::{neglected, route};
 use crate::report::words;
 
 use super::ascii;
-use super::pairs::{Pairs, pairs};
+use super::pairs::{Pairs, definitions};
 
 #[derive(Serialize)]
 struct Documents<'a> {
@@ -82,7 +82,7 @@ pub fn explanation(audit: &Audit, claim: &Claim) -> String {
     super::write(&ExplanationObject {
         path: &audit.path,
         claim: claim_object(claim),
-        definitions: pairs(&explanation.definitions),
+        definitions: definitions(&explanation.definitions),
         left: normal_forms(&explanation.left),
         right: normal_forms(&explanation.right),
         unit: explanation.unit.as_deref(),

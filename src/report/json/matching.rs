@@ -8,7 +8,7 @@ use crate::derivation::notation::Notation;
 use crate::report::words;
 
 use super::ascii;
-use super::pairs::{Pairs, pairs};
+use super::pairs::{Pairs, definitions, pairs};
 
 #[derive(Serialize)]
 struct Matchings<'a> {
@@ -89,7 +89,7 @@ fn matching_object<'a>(path: &'a str, matched: &'a Matched) -> MatchingObject<'a
         variable: &matched.variable.ascii,
         exact: ascii(&matched.polynomials.0),
         assumed: ascii(&matched.polynomials.1),
-        definitions: pairs(&matched.definitions),
+        definitions: definitions(&matched.definitions),
         unknowns: matched
             .solution
             .iter()

@@ -27,9 +27,9 @@ pub fn explanation(audit: &Audit, claim: &Claim, width: usize) -> String {
     if !explanation.definitions.is_empty() {
         page.heading("Rests on");
     }
-    for (name, expression) in &explanation.definitions {
-        let definition = Notation::Unicode.expression(expression);
-        write(&mut page, &format!("{name} := "), &definition);
+    for (left, right) in &explanation.definitions {
+        let [left, right] = [left, right].map(|side| Notation::Unicode.expression(side));
+        write(&mut page, &format!("{left} := "), &right);
     }
     normal_forms(&mut page, &explanation.left, &explanation.right);
     if let Some(unit) = &explanation.unit {
