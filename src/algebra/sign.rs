@@ -1,6 +1,7 @@
 //! Which signs a quantity can have, and arithmetic with that knowledge.
 
 use std::collections::BTreeMap;
+use std::fmt;
 
 use super::monomial::Monomial;
 use super::number::Integer;
@@ -89,6 +90,11 @@ impl Signs {
         }
     }
 
+    /// Whether every one of these signs is among the others.
+    pub fn is_within(self, others: Signs) -> bool {
+        self.intersection(others) == self
+    }
+
     /// Whether a > 0 is certain.
     pub fn is_positive(self) -> bool {
         self == Signs::POSITIVE
@@ -102,6 +108,21 @@ impl Signs {
     /// Whether a ≠ 0 is certain.
     pub fn is_non_zero(self) -> bool {
         !self.zero
+    }
+}
+
+impl fmt::Display for Signs {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match (self.negative, self.zero, self.positive) {
+            (true, true, true) => "real",
+            (true, true, false) => "≤ 0",
+            (true, false, true) => "≠ 0",
+            (true, false, false) => "< 0",
+            (false, true, true) => "≥ 0",
+            (false, true, false) => "= 0",
+            (false, false, true) => "> 0",
+            (false, false, false) => "impossible",
+        })
     }
 }
 

@@ -10,12 +10,16 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::generator::Generator;
 use crate::algebra::matrix::Matrix;
 use crate::algebra::number::Rational;
+use crate::algebra::polynomial::Polynomial;
 use crate::algebra::ring::Ring;
+use crate::algebra::sign::Signs;
 use crate::algebra::substitution::Substitution;
 use crate::algebra::symbol::Symbol;
 
 use super::condition::Conditions;
 use super::diagnostic::{Diagnostic, DiagnosticKind};
+use super::notation::Notation;
+use super::presentation::Presenter;
 use super::quantity::{Quantities, Quantity, QuantityError, Value};
 use super::scope::{Meaning, Scope};
 use super::syntax::{BinaryOperator, Expression, Name, Node, Place, Replacement, Span};
@@ -505,7 +509,44 @@ impl Elaborator {
                     .with_label("replaced again"));
             }
         }
+        self.respect_assumptions(&substitution, &replacements, span)?;
         Ok(substitution)
+    }
+
+    /// Sees that what is assumed of symbols remains true of what replaces them: roots and signs were
+    /// found with it.
+    fn respect_assumptions(
+        &mut self,
+        substitution: &Substitution,
+        replacements: &[Replacement],
+        span: &Span,
+    ) -> Result<(), Diagnostic> {
+        let wrap = |error| algebra(error, span);
+        let assumed: Vec<(Polynomial, Signs)> = {
+            let assumptions = self.ring.assumptions();
+            let symbols = substitution.keys();
+            let of_symbols =
+                symbols.map(|symbol| (Polynomial::symbol(*symbol), assumptions.of_symbol(*symbol)));
+            of_symbols.chain(assumptions.polynomials().iter().cloned()).collect()
+        };
+        for (polynomial, signs) in assumed {
+            if !substitution.keys().any(|symbol| polynomial.contains(*symbol)) {
+                continue;
+            }
+            let element = Fraction::from(polynomial.clone());
+            let image = self.ring.substitute(&element, substitution).map_err(wrap)?;
+            if !self.ring.signs(&image).map_err(wrap)?.is_within(signs) {
+                let shown = Presenter { ring: &self.ring, scope: &self.scope }.polynomial(&polynomial);
+                let shown = Notation::Unicode.expression(&shown.map_err(wrap)?);
+                let place = replacements.iter().find(|replacement| !replacement.value.span.is_empty());
+                let place = place.map_or(span.clone(), |replacement| replacement.value.span.clone());
+                let message = format!("this need not respect what is assumed of {shown}");
+                return Err(Diagnostic::new(DiagnosticKind::Arguments, place, message)
+                    .with_label(format!("{shown} must stay {signs}"))
+                    .with_help("replace it by something whose sign follows from the declarations"));
+            }
+        }
+        Ok(())
     }
 }
 

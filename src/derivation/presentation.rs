@@ -101,15 +101,10 @@ impl Presenter<'_> {
             let power = raised(base, exponent.unsigned_abs());
             if *exponent > 0 { &mut above } else { &mut below }.push(power);
         }
-        let line_above = product(above);
-        let quotient = match below.is_empty() {
-            true => line_above,
-            false => Expression::binary(BinaryOperator::Divide, line_above, product(below)),
-        };
-        Ok(if negative {
-            Expression::made(Node::Negative(Box::new(quotient)))
-        } else {
-            quotient
+        let above = if negative { negative_product(above) } else { product(above) };
+        Ok(match below.is_empty() {
+            true => above,
+            false => Expression::binary(BinaryOperator::Divide, above, product(below)),
         })
     }
 
@@ -123,18 +118,20 @@ impl Presenter<'_> {
         for (monomial, coefficient) in polynomial.terms() {
             let negative = *coefficient < Integer::ZERO;
             let size = if negative { -coefficient } else { coefficient.clone() };
-            let term = self.term(monomial, size)?;
+            let factors = self.factors(monomial, size)?;
             sum = Some(match (sum, negative) {
-                (None, false) => term,
-                (None, true) => Expression::made(Node::Negative(Box::new(term))),
-                (Some(sum), false) => Expression::binary(BinaryOperator::Add, sum, term),
-                (Some(sum), true) => Expression::binary(BinaryOperator::Subtract, sum, term),
+                (None, false) => product(factors),
+                (None, true) => negative_product(factors),
+                (Some(sum), false) => Expression::binary(BinaryOperator::Add, sum, product(factors)),
+                (Some(sum), true) => {
+                    Expression::binary(BinaryOperator::Subtract, sum, product(factors))
+                }
             });
         }
         Ok(sum.unwrap_or_else(|| Expression::number(Rational::ZERO)))
     }
 
-    fn term(&self, monomial: &Monomial, size: Integer) -> Result<Expression, AlgebraError> {
+    fn factors(&self, monomial: &Monomial, size: Integer) -> Result<Vec<Expression>, AlgebraError> {
         let mut factors = Vec::new();
         if size != Integer::ONE {
             factors.push(Expression::made(Node::Number(Rational::from(size))));
@@ -142,7 +139,7 @@ impl Presenter<'_> {
         for (symbol, exponent) in monomial.factors() {
             factors.push(raised(self.symbol(symbol)?, u64::from(exponent)));
         }
-        Ok(product(factors))
+        Ok(factors)
     }
 
     fn declared(&self, ascii: &str) -> Name {
@@ -214,4 +211,14 @@ fn product(factors: Vec<Expression>) -> Expression {
         .into_iter()
         .reduce(|left, right| Expression::binary(BinaryOperator::Multiply, left, right))
         .unwrap_or_else(|| Expression::number(Rational::ONE))
+}
+
+/// −a·b is (−a)·b to a reader, and needs no brackets.
+fn negative_product(mut factors: Vec<Expression>) -> Expression {
+    let first = match factors.is_empty() {
+        true => Expression::number(Rational::ONE),
+        false => factors.remove(0),
+    };
+    factors.insert(0, Expression::made(Node::Negative(Box::new(first))));
+    product(factors)
 }

@@ -9,7 +9,9 @@ use crate::derivation::syntax::{BinaryOperator, Expression, Name, Node, Place, R
 
 use super::number::Number;
 use super::point::{Argument, Atom, Key, Point, Size, Tag};
-use super::table::{Sample, Table, adjugate, determinant, eliminate, numbers, samples, single};
+use super::table::{
+    Sample, Table, adjugate, determinant, eliminate, null_space, numbers, samples, single,
+};
 
 /// Why an expression has no value at a point; the reason is for the reader of a verdict.
 pub type Failure = String;
@@ -703,6 +705,11 @@ impl<'a> Evaluator<'a> {
                 let matrix = self.table(matrix, surrounding, frame)?;
                 let right = self.table(right, surrounding, frame)?;
                 self.solve(&matrix, &right)
+            }
+            ("kernel", [matrix]) => {
+                let matrix = self.table(matrix, surrounding, frame)?;
+                let found = null_space(&numbers(&matrix), &self.point.extension);
+                Ok(samples(found.ok_or("a pivot is not invertible")?))
             }
             ("transpose", [matrix]) => {
                 let matrix = self.table(matrix, surrounding, frame)?;

@@ -1,0 +1,113 @@
+//! The command as a user runs it: what it prints where, and its exit status.
+
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn sextic(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_sextic"))
+        .args(arguments)
+        .env_remove("NO_COLOR")
+        .output()
+        .expect("the command runs")
+}
+
+/// A document of a test's own, in a folder of its own.
+fn document(name: &str, text: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("documents");
+    std::fs::create_dir_all(&folder).expect("a folder for documents");
+    let path = folder.join(name);
+    std::fs::write(&path, text).expect("a document");
+    path
+}
+
+fn block(statements: &str) -> String {
+    format!("# A document\n\n```sextic\nparameter a, b : m\n{statements}\n```\n")
+}
+
+fn status_of(name: &str, statements: &str) -> (Option<i32>, String, String) {
+    let path = document(name, &block(statements));
+    let output = sextic(&["audit", path.to_str().expect("a path")]);
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (output.status.code(), text(&output.stdout), text(&output.stderr))
+}
+
+#[test]
+fn status_is_0_where_all_is_as_expected() {
+    let (status, out, err) = status_of("expected.md", "claim [one]: a + b == b + a");
+    assert_eq!(status, Some(0));
+    assert!(out.contains("as the document expects") || out.contains("as the document expects."));
+    assert_eq!(err, "");
+}
+
+#[test]
+fn status_is_1_where_a_verdict_differs() {
+    for (name, statement) in [
+        ("false.md", "claim [one]: a == b"),
+        ("true.md", "refute [one]: a == a"),
+        ("units.md", "claim [one]: a == a^2"),
+        ("exact.md", "approximate [one]: a == a to order 1 in a"),
+        ("undecided.md", "claim [one]: a^4 - 2*a*b^3 + 3*b^4 >= 0"),
+    ] {
+        assert_eq!(status_of(name, statement).0, Some(1), "{statement}");
+    }
+}
+
+#[test]
+fn status_is_2_where_the_input_is_wrong() {
+    let (status, out, err) = status_of("unknown.md", "claim [one]: a == c");
+    assert_eq!((status, out.as_str()), (Some(2), ""));
+    assert!(err.contains("unknown.md:5:"), "{err}");
+    assert_eq!(sextic(&["audit", "no-such-document.md"]).status.code(), Some(2));
+    assert_eq!(sextic(&["audit", env!("CARGO_MANIFEST_DIR")]).status.code(), Some(2));
+    assert_eq!(sextic(&["audit", "--explain", "no-such-claim"]).status.code(), Some(2));
+    assert_eq!(sextic(&["no-such-command"]).status.code(), Some(2));
+}
+
+#[test]
+fn json_is_that_of_the_design() {
+    let output = sextic(&["audit", "--format", "json"]);
+    assert_eq!(output.status.code(), Some(0));
+    let json: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let document = &json["documents"][0];
+    assert_eq!(document["as_expected"], Value::Bool(true));
+    for claim in document["claims"].as_array().expect("claims") {
+        for key in ["id", "statement", "expected", "verdict"] {
+            assert!(claim[key].is_string(), "{key} of {claim}");
+        }
+        assert!(claim["line"].is_u64());
+        assert!(claim["conditions"].is_array() && claim["neglected"].is_array());
+        let refuted = claim["verdict"] == "refuted";
+        assert_eq!(claim["witness"].is_object(), refuted, "{claim}");
+        assert!(!refuted || claim["witness"]["left"].is_string());
+    }
+    let output = sextic(&["match", "--format", "json"]);
+    let json: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let matching = &json["matchings"][0];
+    assert!(matching["solution"]["b_1"].is_string());
+    assert_eq!(matching["singular_where"][0], "L_g == 0");
+    assert_eq!(matching["table"].as_array().map(Vec::len), Some(7));
+    for row in matching["table"].as_array().expect("rows") {
+        assert!(row["power"].is_u64() && row["used"].is_boolean());
+        assert!(row["exact"].is_string() && row["assumed"].is_string() && row["residual"].is_string());
+    }
+}
+
+#[test]
+fn every_format_is_written_twice_the_same() {
+    for format in ["text", "json", "markdown", "latex"] {
+        for command in ["audit", "match"] {
+            let (first, second) =
+                (sextic(&[command, "--format", format]), sextic(&[command, "--format", format]));
+            assert_eq!(first.status.code(), Some(0), "{command} {format}");
+            assert!(!first.stdout.is_empty());
+            assert_eq!(first.stdout, second.stdout, "{command} {format}");
+        }
+    }
+}
+
+#[test]
+fn a_pipe_gets_no_colours() {
+    assert!(!sextic(&["audit"]).stdout.contains(&0x1b));
+}
