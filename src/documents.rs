@@ -4,7 +4,7 @@ use crate::derivation::audit::Library;
 use crate::derivation::diagnostic::SourceFile;
 
 /// Paths and texts, in the order in which they are audited.
-const SHIPPED: [(&str, &str); 1] = [(
+const SHIPPED: &[(&str, &str)] = &[(
     "derivations/he-macdonald-2017.md",
     include_str!("../derivations/he-macdonald-2017.md"),
 )];
@@ -12,8 +12,8 @@ const SHIPPED: [(&str, &str); 1] = [(
 /// The documents that come with the command, in the order in which they are audited.
 pub fn shipped() -> impl Iterator<Item = SourceFile> {
     SHIPPED
-        .into_iter()
-        .map(|(path, text)| SourceFile::new(path, text))
+        .iter()
+        .map(|(path, text)| SourceFile::new(*path, *text))
 }
 
 /// The documents that come with the command, as a library: they import each other and nothing else.

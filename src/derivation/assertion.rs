@@ -94,8 +94,8 @@ enum Outcome {
     Different(Option<u32>),
     /// The assumptions do not decide an inequality.
     Open,
-    /// The normal forms differ, but contain angles of vectors that may be other angles in disguise.
-    Unresolved,
+    /// A point would not show anything, for the given reason.
+    Unresolved(&'static str),
 }
 
 impl Elaborator {
@@ -200,7 +200,12 @@ impl Elaborator {
                 _ => false,
             })
         });
-        if hidden { Outcome::Unresolved } else { Outcome::Different(None) }
+        if hidden {
+            return Outcome::Unresolved(
+                "the difference contains the angle of a vector, which may be one of the other angles",
+            );
+        }
+        Outcome::Different(None)
     }
 
     fn compare_to_order(
@@ -250,7 +255,26 @@ impl Elaborator {
         let violated = possible(|signs| signs.negative)
             || possible(|signs| signs.zero)
             || possible(|signs| signs.positive);
-        Ok(if violated { Outcome::Open } else { Outcome::True })
+        Ok(match violated {
+            false => Outcome::True,
+            true if self.is_transcendental(difference) => Outcome::Unresolved(
+                "an angle stands beside its own sine or cosine, which a rational point cannot follow",
+            ),
+            true => Outcome::Open,
+        })
+    }
+
+    /// Whether an angle stands beside a sine or cosine of it: a point of the relations gives them
+    /// values that do not belong together, which shows nothing about an inequality.
+    fn is_transcendental(&self, element: &Fraction) -> bool {
+        let symbols = element.numerator().symbols().into_iter().chain(element.denominator().symbols());
+        let symbols: Vec<_> = symbols.collect();
+        symbols.iter().any(|symbol| match self.ring.generator(*symbol) {
+            Generator::Cosine { angle } | Generator::Sine { angle } => {
+                angle.coefficients().any(|(inside, _)| symbols.contains(&inside))
+            }
+            _ => false,
+        })
     }
 
     fn explanation(
@@ -420,12 +444,7 @@ impl<'a> Judge<'a> {
                     });
                 }
             },
-            Outcome::Unresolved => {
-                claim.reason =
-                    Some("the difference contains the angle of a vector, which may be one of the \
-                          other angles"
-                        .into());
-            }
+            Outcome::Unresolved(reason) => claim.reason = Some((*reason).to_string()),
         }
         Ok(claim)
     }

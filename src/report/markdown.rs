@@ -26,10 +26,7 @@ pub fn audit(audit: &Audit) -> String {
         page += "\n| verdict | count |\n|---|---:|\n";
     }
     for (verdict, count) in &summary.counts {
-        page += &row(&[
-            format!("{} {}", words::mark(*verdict), verdict.text()),
-            count.to_string(),
-        ]);
+        page += &row(&[words::verdict(*verdict), count.to_string()]);
     }
     for (heading, claims) in summary.failures() {
         page += &format!("\n## {heading}\n\n");
@@ -97,7 +94,7 @@ pub fn matching(path: &str, matched: &Matched) -> String {
 
 fn claim(claim: &Claim) -> String {
     let statement = mathematics(&Notation::Latex.relation(&claim.statement));
-    let mut verdict = format!("{} {}", words::mark(claim.verdict), claim.verdict.text());
+    let mut verdict = words::verdict(claim.verdict);
     if let Some(surprise) = words::surprise(claim) {
         verdict += &format!("<br>**{}**", escape(&surprise));
     }

@@ -66,7 +66,7 @@ impl<'a> Summary<'a> {
                 "Printed equations that do not hold",
                 self.equations.as_slice(),
             ),
-            ("Stated facts that do not hold", self.statements.as_slice()),
+            ("Statements that do not hold", self.statements.as_slice()),
         ];
         lists.into_iter().filter(|(_, claims)| !claims.is_empty())
     }

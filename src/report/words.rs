@@ -27,6 +27,11 @@ pub const fn mark(verdict: Verdict) -> &'static str {
     }
 }
 
+/// `✓ holds`
+pub fn verdict(verdict: Verdict) -> String {
+    format!("{} {}", mark(verdict), verdict.text())
+}
+
 /// What the author expects, in the words of a verdict.
 pub const fn expectation(expectation: Expectation) -> &'static str {
     match expectation {
@@ -74,7 +79,10 @@ pub fn singularity(singularity: &Singularity, notation: Notation) -> String {
 pub fn polynomials(matched: &Matched, notation: Notation) -> (String, String) {
     let write = |expression: &Expression| {
         let written = notation.expression(expression);
-        let definition = matched.definitions.iter().find(|(known, _)| known == expression);
+        let definition = matched
+            .definitions
+            .iter()
+            .find(|(defined, _)| defined == expression);
         match definition {
             Some((_, definition)) => format!("{written} = {}", notation.expression(definition)),
             None => written,

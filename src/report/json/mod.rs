@@ -24,3 +24,69 @@ fn write(document: &impl Serialize) -> String {
 fn ascii(expression: &Expression) -> String {
     Notation::Ascii.expression(expression)
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use crate::derivation::audit::{Audit, audit};
+    use crate::derivation::diagnostic::SourceFile;
+    use crate::documents::ShippedLibrary;
+
+    const DOCUMENT: &str = "# Title
+
+```sextic
+parameter a, b, x : 1
+claim (1): a/b == a/b
+refute [wrong]: a == 2*a
+match (2) matched: x^2 + a*x with x^2 + b*x in x unknown b at x
+```
+";
+
+    fn audited() -> [Audit; 1] {
+        let source = SourceFile::new("a.md", DOCUMENT);
+        [audit(&source, &ShippedLibrary).expect("the document makes sense")]
+    }
+
+    fn read(text: &str) -> Value {
+        serde_json::from_str(text).expect("what is written is JSON")
+    }
+
+    #[test]
+    fn verdicts_have_the_documented_members() {
+        let written = read(&super::audits(&audited()));
+        let document = &written["documents"][0];
+        assert_eq!(document["path"], "a.md");
+        assert_eq!(document["title"], "Title");
+        assert_eq!(document["as_expected"], true);
+        let [first, second] = [&document["claims"][0], &document["claims"][1]];
+        assert_eq!(first["id"], "1");
+        assert_eq!(first["equation"], "1");
+        assert_eq!(first["line"], 5);
+        assert_eq!(first["statement"], "a/b == a/b");
+        assert_eq!(first["expected"], "holds");
+        assert_eq!(first["verdict"], "holds where");
+        assert_eq!(first["conditions"], json!(["b != 0"]));
+        assert_eq!(first["neglected"], json!([]));
+        assert_eq!(first["residual"], Value::Null);
+        assert_eq!(first["witness"], Value::Null);
+        assert_eq!(second["equation"], Value::Null);
+        assert_eq!(second["verdict"], "refuted");
+        assert!(second["witness"]["point"]["a"].is_string());
+        assert!(second["witness"]["left"].is_string());
+    }
+
+    #[test]
+    fn matchings_have_the_documented_members() {
+        let written = read(&super::matchings(&audited()));
+        let matching = &written["matchings"][0];
+        assert_eq!(matching["id"], "2");
+        assert_eq!(matching["unknowns"], json!(["b"]));
+        assert_eq!(matching["powers"], json!([1]));
+        assert_eq!(matching["solution"], json!({"b": "a"}));
+        assert_eq!(matching["singular_where"], json!([]));
+        assert_eq!(matching["table"][0]["power"], 2);
+        assert_eq!(matching["table"][1]["used"], true);
+        assert_eq!(matching["table"][1]["residual"], "0");
+    }
+}

@@ -18,13 +18,21 @@ impl Serialize for Pairs {
 /// Names and what they are.
 pub fn pairs(named: &[(Name, Expression)]) -> Pairs {
     let named = named.iter();
-    Pairs(named.map(|(name, value)| (name.ascii.clone(), ascii(value))).collect())
+    Pairs(
+        named
+            .map(|(name, value)| (name.ascii.clone(), ascii(value)))
+            .collect(),
+    )
 }
 
 /// What is defined, and as what.
 pub fn definitions(definitions: &[(Expression, Expression)]) -> Pairs {
     let definitions = definitions.iter();
-    Pairs(definitions.map(|(left, right)| (ascii(left), ascii(right))).collect())
+    Pairs(
+        definitions
+            .map(|(left, right)| (ascii(left), ascii(right)))
+            .collect(),
+    )
 }
 
 #[cfg(test)]

@@ -6,9 +6,9 @@ use crate::report::summary::Summary;
 use crate::report::words;
 
 use super::claim;
-use super::page::{Page, spaces};
-use super::palette::{self, ALARM, FAINT, GOOD, PLAIN, STRONG};
-use super::wrap::Run;
+use super::page::Page;
+use super::palette::{self, ALARM, FAINT, GOOD, STRONG};
+use super::run::{Run, spaces};
 
 /// Writes all verdicts on a document, and what they come to.
 pub fn audit(audit: &Audit, width: usize) -> String {
@@ -31,9 +31,8 @@ fn summary(page: &mut Page, summary: &Summary) {
     }
     for (verdict, count) in &summary.counts {
         let style = palette::of_verdict(*verdict);
-        let verdict = format!("{} {}", words::mark(*verdict), verdict.text());
         let count = Run::words(format!("  {count:>4} "), STRONG);
-        page.prose(&[count], &[Run::words(verdict, style)]);
+        page.prose(&[count], &[Run::words(words::verdict(*verdict), style)]);
     }
     for (heading, claims) in summary.failures() {
         list(page, heading, claims);
@@ -50,15 +49,12 @@ fn summary(page: &mut Page, summary: &Summary) {
     page.prose(&[], &[Run::words(summary.conclusion(), style)]);
 }
 
-/// `  (8, printed)  printed with m in the damping term`
+/// `  ✗ (8, printed) printed with m in the damping term`
 fn list(page: &mut Page, heading: &str, claims: &[&Claim]) {
     page.heading(heading);
     for claim in claims {
         let mark = Run::words(words::mark(claim.verdict), palette::of_claim(claim));
-        let mut runs = vec![Run::words(words::label(&claim.label), STRONG)];
-        if let Some(description) = &claim.description {
-            runs.push(Run::words(format!("  {description}"), PLAIN));
-        }
+        let mut runs = claim::name(claim);
         let expected = words::expectation(claim.expectation);
         if !claim.as_expected() {
             let found = claim.verdict.text();

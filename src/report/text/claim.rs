@@ -5,9 +5,9 @@ use crate::derivation::verdict::Claim;
 use crate::report::details::{Extent, details};
 use crate::report::words;
 
-use super::page::{Page, column, spaces};
+use super::page::Page;
 use super::palette::{self, ALARM, FAINT, PLAIN, STRONG};
-use super::wrap::Run;
+use super::run::{Run, column, spaces};
 
 /// The columns of a mark and a verdict; all else stands to the right of them.
 const INDENT: usize = 15;
@@ -44,20 +44,22 @@ pub fn write(page: &mut Page, claim: &Claim) {
         }
     }
     if is_shortened {
-        page.hint(
-            INDENT,
-            &format!("… in full: sextic audit --explain {}", claim.label.id),
-        );
+        page.hint(INDENT, &format!("… in full: --explain {}", claim.label.id));
     }
 }
 
-/// `✓ holds        (1)  the mass centre is a point of the body`
+/// `✓ holds        (1) the mass centre is a point of the body`
 pub fn headline(page: &mut Page, claim: &Claim) {
     let style = palette::of_claim(claim);
-    let verdict = format!("{} {}", words::mark(claim.verdict), claim.verdict.text());
+    let verdict = words::verdict(claim.verdict);
+    page.prose(&column(&verdict, INDENT, style), &name(claim));
+}
+
+/// `(1) the mass centre is a point of the body`
+pub fn name(claim: &Claim) -> Vec<Run> {
     let mut runs = vec![Run::words(words::label(&claim.label), STRONG)];
     if let Some(description) = &claim.description {
-        runs.push(Run::words(format!("  {description}"), PLAIN));
+        runs.push(Run::words(format!(" {description}"), PLAIN));
     }
-    page.prose(&column(&verdict, INDENT, style), &runs);
+    runs
 }

@@ -8,9 +8,9 @@ use crate::report::details::{Extent, details, route};
 use crate::report::words;
 
 use super::claim;
-use super::page::{Page, spaces};
+use super::page::Page;
 use super::palette::{self, ALARM, FAINT, PLAIN};
-use super::wrap::Run;
+use super::run::{Run, spaces};
 
 /// The column of the later lines of an expression.
 const CONTINUATION: usize = 6;
@@ -76,9 +76,8 @@ fn entries(page: &mut Page, entries: &[Option<Expression>]) {
 
 fn verdict(page: &mut Page, claim: &Claim) {
     page.heading("Verdict");
-    let verdict = format!("{} {}", words::mark(claim.verdict), claim.verdict.text());
     let mut runs = vec![
-        Run::words(verdict, palette::of_claim(claim)),
+        Run::words(words::verdict(claim.verdict), palette::of_claim(claim)),
         Run::words(format!(": {}", route(claim)), PLAIN),
     ];
     if claim.as_expected() {

@@ -6,9 +6,9 @@ use crate::derivation::syntax::Expression;
 use crate::report::phrase::Phrase;
 use crate::report::words;
 
-use super::page::{Page, column, spaces};
+use super::page::Page;
 use super::palette::{FAINT, GOOD, PLAIN, STRONG};
-use super::wrap::Run;
+use super::run::{Run, column, spaces};
 
 /// How many lines a coefficient gets.
 const MOST_LINES: usize = 6;
@@ -42,7 +42,7 @@ pub fn matching(path: &str, matched: &Matched, width: usize) -> String {
     }
     if is_shortened {
         page.gap();
-        page.hint(0, "… coefficients in full: sextic match --format json");
+        page.hint(0, "… coefficients in full: --format json");
     }
     page.finish()
 }

@@ -6,10 +6,12 @@
 mod audit;
 mod claim;
 mod explanation;
+mod expression;
 mod matching;
 mod page;
 mod palette;
-mod wrap;
+mod prose;
+mod run;
 
 pub use audit::audit;
 pub use explanation::explanation;

@@ -1,9 +1,8 @@
 //! A page of text for the terminal, written from top to bottom.
 
-use anstyle::Style;
-
 use super::palette::{FAINT, PLAIN, STRONG};
-use super::wrap::{self, Run};
+use super::run::{Run, spaces, width};
+use super::{expression, prose};
 use crate::report::phrase::{Phrase, Piece};
 
 /// Narrower pages cannot be read.
@@ -53,8 +52,8 @@ impl Page {
     /// Words behind a prefix, below which their later lines are aligned.
     pub fn prose(&mut self, prefix: &[Run], runs: &[Run]) {
         let room = self.room(prefix);
-        let column = prefix.iter().map(Run::width).sum();
-        self.lines(prefix, column, wrap::prose(runs, room));
+        let column = width(prefix);
+        self.lines(prefix, column, prose::lines(runs, room));
     }
 
     /// A phrase behind a keyword.
@@ -81,7 +80,7 @@ impl Page {
             .min(self.width.saturating_sub(column))
             .max(1);
         // The last line may have to end in a space and dots.
-        let mut lines = wrap::expression(text, room.saturating_sub(DOTS.chars().count()));
+        let mut lines = expression::lines(text, room.saturating_sub(DOTS.chars().count()));
         let is_shortened = lines.len() > most_lines;
         if is_shortened {
             lines.truncate(most_lines);
@@ -102,8 +101,7 @@ impl Page {
     }
 
     fn room(&self, prefix: &[Run]) -> usize {
-        let taken: usize = prefix.iter().map(Run::width).sum();
-        self.width.saturating_sub(taken).max(1)
+        self.width.saturating_sub(width(prefix)).max(1)
     }
 
     fn lines(&mut self, prefix: &[Run], column: usize, lines: Vec<String>) {
@@ -118,18 +116,6 @@ impl Page {
             self.text.push('\n');
         }
     }
-}
-
-/// So many spaces.
-pub fn spaces(count: usize) -> Run {
-    Run::words(" ".repeat(count), PLAIN)
-}
-
-/// Some text in a column of the given width.
-pub fn column(text: &str, width: usize, style: Style) -> [Run; 2] {
-    let run = Run::words(text, style);
-    let rest = width.saturating_sub(run.width());
-    [run, spaces(rest)]
 }
 
 #[cfg(test)]

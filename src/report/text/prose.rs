@@ -1,0 +1,77 @@
+//! Filling lines with words.
+
+use super::expression;
+use super::run::{Run, width as width_of};
+
+/// Breaks runs at their spaces into lines of so many columns, with the codes of their styles.
+pub fn lines(runs: &[Run], width: usize) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut line = String::new();
+    let mut filled = 0;
+    for word in words(runs, width) {
+        let length = width_of(&word);
+        if filled > 0 && filled + 1 + length > width {
+            lines.push(std::mem::take(&mut line));
+            filled = 0;
+        }
+        if filled > 0 {
+            line.push(' ');
+            filled += 1;
+        }
+        line.extend(word.iter().map(Run::styled));
+        filled += length;
+    }
+    if filled > 0 {
+        lines.push(line);
+    }
+    lines
+}
+
+/// What stands between spaces; a word may change its style within. None is wider than a line.
+fn words(runs: &[Run], width: usize) -> Vec<Vec<Run>> {
+    let mut words: Vec<Vec<Run>> = vec![Vec::new()];
+    for run in runs {
+        for (index, part) in run.breakable_parts().into_iter().enumerate() {
+            if index > 0 {
+                words.push(Vec::new());
+            }
+            for (piece, text) in expression::lines(part, width).into_iter().enumerate() {
+                if piece > 0 {
+                    words.push(Vec::new());
+                }
+                if let Some(word) = words.last_mut() {
+                    word.push(run.part(text));
+                }
+            }
+        }
+    }
+    words.retain(|word| !word.is_empty());
+    words
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::palette::{PLAIN, STRONG};
+    use super::*;
+
+    #[test]
+    fn lines_break_at_spaces_and_keep_formulas_together() {
+        let runs = [
+            Run::words("where ", PLAIN),
+            Run::formula("a = 2", PLAIN),
+            Run::words(", and so on", PLAIN),
+        ];
+        assert_eq!(lines(&runs, 8), ["where", "a = 2,", "and so", "on"]);
+        assert_eq!(lines(&runs, 80), ["where a = 2, and so on"]);
+        assert!(lines(&[], 10).is_empty());
+    }
+
+    #[test]
+    fn styles_take_no_room() {
+        let runs = [Run::words("bold", STRONG), Run::words(" thin", PLAIN)];
+        let lines = lines(&runs, 9);
+        assert_eq!(lines.len(), 1);
+        let plain = anstream::adapter::strip_str(&lines[0]).to_string();
+        assert_eq!(plain, "bold thin");
+    }
+}
