@@ -1,6 +1,9 @@
 //! Angles: sums of angular symbols with integer coefficients, and a basis of them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+
+use dashu_base::{Gcd, UnsignedAbs};
+use dashu_int::UBig;
 
 use super::number::{Integer, Rational};
 use super::symbol::Symbol;
@@ -31,17 +34,15 @@ impl Angle {
         self.coefficients.is_empty()
     }
 
-    /// Whether the first coefficient is negative: of A and −A, exactly one is.
-    pub fn is_negative(&self) -> bool {
-        self.coefficients
-            .values()
-            .next()
-            .is_some_and(|first| *first < Integer::ZERO)
-    }
-
-    /// −A.
-    pub fn negative(&self) -> Self {
-        Angle::new(self.coefficients().map(|(symbol, k)| (symbol, -k)))
+    /// (B, k) with A = k·B for A ≠ 0, where the coefficients of B have no common divisor and the first
+    /// of them is positive; (0, 0) for A = 0.
+    pub fn primitive(&self) -> (Self, Integer) {
+        let magnitude = self.coefficients.values().fold(UBig::ZERO, |divisor, k| {
+            if divisor.is_zero() { k.unsigned_abs() } else { divisor.gcd(k.unsigned_abs()) }
+        });
+        let negative = self.coefficients.values().next().is_some_and(|first| *first < Integer::ZERO);
+        let k = if negative { -Integer::from(magnitude) } else { Integer::from(magnitude) };
+        (Angle::new(self.coefficients().map(|(symbol, own)| (symbol, own / &k))), k)
     }
 
     /// A without the given symbol, and that symbol's coefficient.
@@ -67,15 +68,22 @@ pub enum Decomposition {
 ///
 /// Complexity: one elimination of a matrix with a row for each symbol and a column for each basis
 /// angle.
+///
+/// ```
+/// use sextic::algebra::{angle::{Angle, Decomposition, decompose}, symbol::Symbol};
+///
+/// let [a, b] = [Symbol::new(0), Symbol::new(1)];
+/// let angle = |k: i32, l: i32| Angle::new([(a, k.into()), (b, l.into())]);
+/// // b = (a + b) − a
+/// let found = decompose(&angle(0, 1), &[angle(1, 1), angle(1, 0)]);
+/// assert_eq!(found, Decomposition::Integral(vec![1.into(), (-1).into()]));
+/// ```
 pub fn decompose(angle: &Angle, basis: &[Angle]) -> Decomposition {
-    let symbols: Vec<Symbol> = {
-        let all: std::collections::BTreeSet<Symbol> = basis
-            .iter()
-            .chain([angle])
-            .flat_map(|angle| angle.coefficients.keys().copied())
-            .collect();
-        all.into_iter().collect()
-    };
+    let symbols: BTreeSet<Symbol> = basis
+        .iter()
+        .chain([angle])
+        .flat_map(|angle| angle.coefficients.keys().copied())
+        .collect();
     let coefficient = |angle: &Angle, symbol: &Symbol| {
         Rational::from(angle.coefficients.get(symbol).cloned().unwrap_or_default())
     };

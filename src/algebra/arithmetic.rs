@@ -18,13 +18,25 @@ pub trait Arithmetic {
     /// Whether a = 0.
     fn is_zero(&self, a: &Self::Element) -> bool;
     /// a + b
+    ///
+    /// # Errors
+    ///
+    /// Where the sum would cost more than is allowed, or does not exist.
     fn sum(&self, a: &Self::Element, b: &Self::Element) -> Result<Self::Element, Self::Error>;
     /// −a
     fn negative(&self, a: &Self::Element) -> Self::Element;
     /// a·b
+    ///
+    /// # Errors
+    ///
+    /// Where the product would cost more than is allowed.
     fn product(&self, a: &Self::Element, b: &Self::Element) -> Result<Self::Element, Self::Error>;
 
     /// a − b
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Arithmetic::sum`].
     fn difference(
         &self,
         a: &Self::Element,
@@ -36,6 +48,10 @@ pub trait Arithmetic {
 
 /// An [`Arithmetic`] in which one can divide by everything but 0.
 pub trait Division: Arithmetic {
-    /// a/b; an error where b = 0.
+    /// a/b
+    ///
+    /// # Errors
+    ///
+    /// Where b = 0, and those of [`Arithmetic::product`].
     fn quotient(&self, a: &Self::Element, b: &Self::Element) -> Result<Self::Element, Self::Error>;
 }

@@ -15,11 +15,29 @@ use super::matrix::Matrix;
 /// # Errors
 ///
 /// Those of the arithmetic.
+///
+/// # Panics
+///
+/// If the matrix is not square.
+///
+/// ```
+/// use sextic::algebra::{
+///     budget::Budget, determinant::determinant, fraction::Fraction, matrix::Matrix,
+///     number::Rational, ring::Ring,
+/// };
+///
+/// let ring = Ring::new(Budget::new(10_000));
+/// let number = |n: usize| Fraction::from(Rational::from(n));
+/// // |1 2; 3 5| = −1
+/// let matrix = Matrix::from_fn(2, 2, |row, column| number([[1, 2], [3, 5]][row][column]));
+/// assert_eq!(determinant(&matrix, &ring)?, number(1).negative());
+/// # Ok::<(), sextic::algebra::error::AlgebraError>(())
+/// ```
 pub fn determinant<A: Arithmetic>(
     matrix: &Matrix<A::Element>,
     arithmetic: &A,
 ) -> Result<A::Element, A::Error> {
-    debug_assert!(matrix.is_square());
+    assert!(matrix.is_square(), "the matrix has {} rows, {} columns", matrix.rows(), matrix.columns());
     let columns: Vec<usize> = (0..matrix.columns()).collect();
     Minors { matrix, arithmetic, known: BTreeMap::new() }.minor(0, &columns)
 }
@@ -65,16 +83,36 @@ impl<A: Arithmetic> Minors<'_, A> {
 
 /// adj A of a square matrix: A·adj A = |A|·I.
 ///
-/// Complexity: n² determinants of n − 1 rows.
+/// (adj A)ᵢⱼ = (−1)ⁱ⁺ʲ |A without row j and column i|.
+///
+/// Complexity: n² determinants of n − 1 rows, for n rows.
 ///
 /// # Errors
 ///
 /// Those of the arithmetic.
+///
+/// # Panics
+///
+/// If the matrix is not square.
+///
+/// ```
+/// use sextic::algebra::{
+///     budget::Budget, determinant::adjugate, fraction::Fraction, matrix::Matrix,
+///     number::Rational, ring::Ring,
+/// };
+///
+/// let ring = Ring::new(Budget::new(10_000));
+/// let matrix = |entries: [[i32; 2]; 2]| {
+///     Matrix::from_fn(2, 2, |i, j| Fraction::from(Rational::from(entries[i][j])))
+/// };
+/// assert_eq!(adjugate(&matrix([[1, 2], [3, 5]]), &ring)?, matrix([[5, -2], [-3, 1]]));
+/// # Ok::<(), sextic::algebra::error::AlgebraError>(())
+/// ```
 pub fn adjugate<A: Arithmetic>(
     matrix: &Matrix<A::Element>,
     arithmetic: &A,
 ) -> Result<Matrix<A::Element>, A::Error> {
-    debug_assert!(matrix.is_square());
+    assert!(matrix.is_square(), "the matrix has {} rows, {} columns", matrix.rows(), matrix.columns());
     let size = matrix.rows();
     if size == 1 {
         return Ok(Matrix::from_fn(1, 1, |_, _| arithmetic.one()));

@@ -31,13 +31,33 @@ impl Differential {
 impl Ring {
     /// The image of an element under a differential.
     ///
-    /// D(N/D) = (Σ_g (∂N/∂g · D) dg − Σ_g (∂D/∂g · N) dg)/D², with dg the image of each symbol g.
+    /// d(N/D) = dN/D − (N/D)·(dD/D) with dP = Σ_g ∂P/∂g · dg over the symbols g of P, and dg the image
+    /// of g.
     ///
     /// Complexity: for each symbol of the element, one pass over its terms and one product.
     ///
     /// # Errors
     ///
-    /// [`AlgebraError::Exhausted`], [`AlgebraError::TooManySymbols`]
+    /// [`AlgebraError::Exhausted`] where the budget or a polynomial's size runs out,
+    /// [`AlgebraError::TooManySymbols`] where the ring has no room for a time derivative or the next
+    /// derivative of a function.
+    ///
+    /// ```
+    /// use sextic::algebra::{
+    ///     arithmetic::Arithmetic, budget::Budget, differential::Differential,
+    ///     generator::Generator, ring::Ring,
+    /// };
+    ///
+    /// let mut ring = Ring::new(Budget::new(10_000));
+    /// let coordinate = |order| Generator::Coordinate { name: "x".into(), order, angular: false };
+    /// let (x, speed) = (ring.symbol(coordinate(0))?, ring.symbol(coordinate(1))?);
+    /// let (x, speed) = (ring.element(x), ring.element(speed));
+    /// // d(x²)/dt = 2 x ẋ
+    /// let change = ring.differentiate(&ring.product(&x, &x)?, &Differential::Time)?;
+    /// let product = ring.product(&x, &speed)?;
+    /// assert_eq!(change, ring.sum(&product, &product)?);
+    /// # Ok::<(), sextic::algebra::error::AlgebraError>(())
+    /// ```
     pub fn differentiate(
         &mut self,
         element: &Fraction,

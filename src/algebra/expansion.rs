@@ -18,12 +18,27 @@ impl Ring {
     /// The part of degree k is Dᵏf/k! at q = 0, with D the derivative along q: it maps each qᵢ to a
     /// constant δᵢ, which is read as qᵢ in the end.
     ///
-    /// Complexity: `order` differentials.
+    /// Complexity: `order` differentials, each of an element that grows with the degree before, and two
+    /// substitutions for each degree.
     ///
     /// # Errors
     ///
     /// [`AlgebraError::DivisionByZero`] where the element or a derivative has no value at q = 0,
     /// and those of [`Ring::substitute`].
+    ///
+    /// ```
+    /// use sextic::algebra::{
+    ///     arithmetic::{Arithmetic, Division}, budget::Budget, generator::Generator, ring::Ring,
+    /// };
+    ///
+    /// let mut ring = Ring::new(Budget::new(10_000));
+    /// let q = ring.symbol(Generator::Constant { name: "q".into() })?;
+    /// let one_minus_q = ring.difference(&ring.one(), &ring.element(q))?;
+    /// // 1/(1 − q) = 1 + q + …
+    /// let parts = ring.expand(&ring.quotient(&ring.one(), &one_minus_q)?, &[q], 1)?;
+    /// assert_eq!(parts, [ring.one(), ring.element(q)]);
+    /// # Ok::<(), sextic::algebra::error::AlgebraError>(())
+    /// ```
     pub fn expand(
         &mut self,
         element: &Fraction,
@@ -58,6 +73,8 @@ impl Ring {
 
     /// The element up to terms of total degree `order` in the small quantities.
     ///
+    /// Complexity: that of [`Ring::expand`].
+    ///
     /// # Errors
     ///
     /// Those of [`Ring::expand`].
@@ -73,6 +90,8 @@ impl Ring {
 
     /// The least degree in the small quantities at which an element has a term, and that term, looking
     /// no further than `highest`.
+    ///
+    /// Complexity: that of [`Ring::expand`] to the degree `highest`.
     ///
     /// # Errors
     ///

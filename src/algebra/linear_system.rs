@@ -20,6 +20,26 @@ pub struct Solution<T> {
 /// # Errors
 ///
 /// Those of the arithmetic; a singular system is no error here, its Δ is 0.
+///
+/// # Panics
+///
+/// If the matrix is not square, or b is no column of as many rows.
+///
+/// ```
+/// use sextic::algebra::{
+///     budget::Budget, fraction::Fraction, linear_system::solve, matrix::Matrix, number::Rational,
+///     ring::Ring,
+/// };
+///
+/// let ring = Ring::new(Budget::new(10_000));
+/// let number = |n: i32| Fraction::from(Rational::from(n));
+/// // 2 x + y = 5, x − y = 1 has x = 2, y = 1; Δ = −3.
+/// let matrix = Matrix::from_fn(2, 2, |i, j| number([[2, 1], [1, -1]][i][j]));
+/// let solution = solve(&matrix, &Matrix::from_fn(2, 1, |i, _| number([5, 1][i])), &ring)?;
+/// assert_eq!(solution.determinant, number(-3));
+/// assert_eq!(solution.numerators.entries(), [number(-6), number(-3)]);
+/// # Ok::<(), sextic::algebra::error::AlgebraError>(())
+/// ```
 pub fn solve<A: Arithmetic>(
     matrix: &Matrix<A::Element>,
     right: &Matrix<A::Element>,
@@ -41,6 +61,19 @@ pub fn solve<A: Arithmetic>(
 /// # Errors
 ///
 /// Those of the arithmetic.
+///
+/// ```
+/// use sextic::algebra::{
+///     arithmetic::Arithmetic, budget::Budget, linear_system::null_space, matrix::Matrix, ring::Ring,
+/// };
+///
+/// let ring = Ring::new(Budget::new(10_000));
+/// // x + y = 0 has the solutions (−1, 1)·y.
+/// let found = null_space(&Matrix::from_fn(1, 2, |_, _| ring.one()), &ring)?;
+/// assert_eq!(found.basis.len(), 1);
+/// assert_eq!(found.basis[0].entries(), [ring.negative(&ring.one()), ring.one()]);
+/// # Ok::<(), sextic::algebra::error::AlgebraError>(())
+/// ```
 pub fn null_space<A: Division>(
     matrix: &Matrix<A::Element>,
     arithmetic: &A,

@@ -25,11 +25,20 @@ impl<T: Clone> Matrix<T> {
     }
 
     /// Like [`Matrix::from_fn`], stopping at the first error.
+    ///
+    /// # Errors
+    ///
+    /// The first error of an entry.
+    ///
+    /// # Panics
+    ///
+    /// If there is no row or no column.
     pub fn try_from_fn<E>(
         rows: usize,
         columns: usize,
         mut entry: impl FnMut(usize, usize) -> Result<T, E>,
     ) -> Result<Self, E> {
+        assert!(rows > 0 && columns > 0, "a matrix has rows and columns");
         let entries = (0..rows * columns)
             .map(|place| entry(place / columns, place % columns))
             .collect::<Result<Vec<T>, E>>()?;
@@ -46,7 +55,7 @@ impl<T: Clone> Matrix<T> {
         self.columns
     }
 
-    /// `3×3`
+    /// (rows, columns).
     pub fn shape(&self) -> (usize, usize) {
         (self.rows, self.columns)
     }
@@ -81,6 +90,10 @@ impl<T: Clone> Matrix<T> {
     }
 
     /// Like [`Matrix::map`], stopping at the first error.
+    ///
+    /// # Errors
+    ///
+    /// The first error of an entry.
     pub fn try_map<U: Clone, E>(
         &self,
         image: impl FnMut(&T) -> Result<U, E>,
@@ -97,20 +110,32 @@ impl<T: Clone> Matrix<T> {
     }
 
     /// The matrix of the given rows and columns, in the given order.
+    ///
+    /// # Panics
+    ///
+    /// If there is no row or no column, or one lies outside the matrix.
     pub fn select(&self, rows: &[usize], columns: &[usize]) -> Self {
         Matrix::from_fn(rows.len(), columns.len(), |row, column| {
             self.at(rows[row], columns[column]).clone()
         })
     }
 
-    /// A·B, for A with as many columns as B has rows.
+    /// A·B, for A with as many columns as B has rows: (A·B)ᵢⱼ = Σ_k aᵢₖ bₖⱼ.
     ///
     /// Complexity: rows(A)·columns(A)·columns(B) products of entries.
+    ///
+    /// # Errors
+    ///
+    /// Those of the arithmetic.
+    ///
+    /// # Panics
+    ///
+    /// If A has not as many columns as B has rows.
     pub fn product<A>(&self, other: &Self, arithmetic: &A) -> Result<Self, A::Error>
     where
         A: Arithmetic<Element = T>,
     {
-        debug_assert_eq!(self.columns, other.rows);
+        assert_eq!(self.columns, other.rows, "columns of A and rows of B");
         Matrix::try_from_fn(self.rows, other.columns, |row, column| {
             let mut sum = arithmetic.product(self.at(row, 0), other.at(0, column))?;
             for inner in 1..self.columns {
@@ -122,12 +147,20 @@ impl<T: Clone> Matrix<T> {
     }
 
     /// The entries of two matrices of one shape, combined place by place.
+    ///
+    /// # Errors
+    ///
+    /// The first error of a combination.
+    ///
+    /// # Panics
+    ///
+    /// If the shapes differ.
     pub fn zip_with<E>(
         &self,
         other: &Self,
         mut combine: impl FnMut(&T, &T) -> Result<T, E>,
     ) -> Result<Self, E> {
-        debug_assert_eq!(self.shape(), other.shape());
+        assert_eq!(self.shape(), other.shape(), "two matrices of one shape");
         Matrix::try_from_fn(self.rows, self.columns, |row, column| {
             combine(self.at(row, column), other.at(row, column))
         })

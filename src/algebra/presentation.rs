@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::error::AlgebraError;
 use super::fraction::Fraction;
 use super::monomial::Monomial;
-use super::number::Integer;
+use super::number::{Integer, Rational};
 use super::polynomial::Polynomial;
 use super::ring::{BasisAngle, Ring};
 use super::sign::Signs;
@@ -15,7 +15,7 @@ use super::symbol::Symbol;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Factored {
     /// The integers above and below the line.
-    pub coefficient: super::number::Rational,
+    pub coefficient: Rational,
     /// The other factors and their exponents.
     pub factors: Vec<(Polynomial, i64)>,
 }
@@ -24,9 +24,26 @@ impl Ring {
     /// An equal polynomial with the fewest terms that exchanging cos² and 1 − sin² finds: terms that
     /// differ in one angle alone are rewritten together, to whichever form is shorter.
     ///
+    /// Complexity: for each angle of the basis, one pass over the terms and a product with a power of
+    /// 1 − sin² for each power of the cosine.
+    ///
     /// # Errors
     ///
-    /// [`AlgebraError::Exhausted`]
+    /// [`AlgebraError::Exhausted`] where the budget or a polynomial's size runs out.
+    ///
+    /// ```
+    /// # use sextic::algebra::{
+    /// #     angle::Angle, arithmetic::{Arithmetic, Division}, budget::Budget, generator::Generator,
+    /// #     ring::Ring,
+    /// # };
+    /// # let mut ring = Ring::new(Budget::new(10_000));
+    /// # let alpha = ring.symbol(Generator::Angle { name: "α".into() })?;
+    /// let (_, sine) = ring.cosine_and_sine(&Angle::new([(alpha, 1.into())]))?;
+    /// let square = ring.product(&sine, &sine)?;
+    /// assert_eq!(square.numerator().len(), 2); // 1 − cos²α
+    /// assert_eq!(ring.shorten(square.numerator())?.len(), 1); // sin²α
+    /// # Ok::<(), sextic::algebra::error::AlgebraError>(())
+    /// ```
     pub fn shorten(&self, polynomial: &Polynomial) -> Result<Polynomial, AlgebraError> {
         let mut shortest = polynomial.clone();
         let symbols = polynomial.symbols();
@@ -81,9 +98,24 @@ impl Ring {
 
     /// The element as a product of factors, each as short as [`Ring::shorten`] makes it.
     ///
+    /// Complexity: one gcd of both sides of the line, and a square-free factorisation of each.
+    ///
     /// # Errors
     ///
-    /// [`AlgebraError::Exhausted`]
+    /// [`AlgebraError::Exhausted`] where the budget or a polynomial's size runs out.
+    ///
+    /// ```
+    /// # use sextic::algebra::{
+    /// #     angle::Angle, arithmetic::{Arithmetic, Division}, budget::Budget, generator::Generator,
+    /// #     ring::Ring,
+    /// # };
+    /// # let mut ring = Ring::new(Budget::new(10_000));
+    /// # let alpha = ring.symbol(Generator::Angle { name: "α".into() })?;
+    /// let (_, sine) = ring.cosine_and_sine(&Angle::new([(alpha, 1.into())]))?;
+    /// let inverse = ring.quotient(&ring.one(), &ring.product(&sine, &sine)?)?;
+    /// assert_eq!(ring.factored(&inverse)?.factors, [(sine.numerator().clone(), -2)]);
+    /// # Ok::<(), sextic::algebra::error::AlgebraError>(())
+    /// ```
     pub fn factored(&self, element: &Fraction) -> Result<Factored, AlgebraError> {
         let above = self.shorten(element.numerator())?;
         let below = self.shorten(element.denominator())?;
@@ -98,17 +130,32 @@ impl Ring {
         let above = reduced.numerator().signed_content();
         let below = reduced.denominator().signed_content();
         Ok(Factored {
-            coefficient: super::number::Rational::from(above) / super::number::Rational::from(below),
+            coefficient: Rational::from(above) / Rational::from(below),
             factors: exponents.into_iter().collect(),
         })
+    }
+
+    /// The signs an element can have under the assumptions.
+    ///
+    /// Complexity: that of [`Ring::polynomial_signs`] for both sides of the line.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::Exhausted`] where the budget or a polynomial's size runs out.
+    pub fn signs(&self, element: &Fraction) -> Result<Signs, AlgebraError> {
+        let numerator = self.polynomial_signs(element.numerator())?;
+        Ok(numerator.product(self.polynomial_signs(element.denominator())?))
     }
 
     /// The signs a polynomial can have under the assumptions: from its terms, from those of equal
     /// forms, and from its factors.
     ///
+    /// Complexity: a square-free factorisation; for each factor one pass over its terms for each angle
+    /// of the basis and each polynomial assumption.
+    ///
     /// # Errors
     ///
-    /// [`AlgebraError::Exhausted`]
+    /// [`AlgebraError::Exhausted`] where the budget or a polynomial's size runs out.
     pub fn polynomial_signs(&self, polynomial: &Polynomial) -> Result<Signs, AlgebraError> {
         let whole = self.signs_by_terms(polynomial)?;
         if whole != Signs::ANY || polynomial.len() <= 1 {
@@ -170,6 +217,9 @@ impl Ring {
         };
         // r = known + rest, and the value of `known` is written as r.
         let rest = &Polynomial::symbol(symbol) - known;
+        if rest.contains(symbol) {
+            return Ok(None);
+        }
         let shifted = &Polynomial::symbol(symbol) + &rest;
         let mut sum = Polynomial::zero();
         for (exponent, coefficient) in polynomial.coefficients_in(symbol) {

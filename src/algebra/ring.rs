@@ -1,15 +1,14 @@
 //! The ring everything lives in: polynomials modulo quadratic relations, and their fractions.
 
-use super::angle::{Angle, Decomposition, decompose};
-use super::arithmetic::{Arithmetic, Division};
+use super::angle::Angle;
 use super::budget::Budget;
 use super::error::AlgebraError;
 use super::fraction::Fraction;
 use super::generator::Generator;
 use super::monomial::Monomial;
-use super::number::{Integer, Rational};
+use super::number::Integer;
 use super::polynomial::Polynomial;
-use super::sign::{Assumptions, Signs};
+use super::sign::Assumptions;
 use super::symbol::Symbol;
 
 /// A ring of polynomials in named symbols, modulo sin²A + cos²A = 1, i² = −1 and w² = p, with its
@@ -18,11 +17,25 @@ use super::symbol::Symbol;
 /// Each relation gives the square of one symbol in terms of earlier ones. Their leading terms have
 /// no symbol in common, so folding squares away is a normal form of polynomials: an element is 0
 /// exactly if its numerator folds to 0.
+///
+/// Elements are [`Fraction`]s made by this ring; those of another one mean something else here.
+///
+/// ```
+/// use sextic::algebra::{
+///     arithmetic::Arithmetic, budget::Budget, generator::Generator, ring::Ring,
+/// };
+///
+/// let mut ring = Ring::new(Budget::new(10_000));
+/// let i = ring.symbol(Generator::ImaginaryUnit)?;
+/// let i = ring.element(i);
+/// assert_eq!(ring.product(&i, &i)?, ring.negative(&ring.one()));
+/// # Ok::<(), sextic::algebra::error::AlgebraError>(())
+/// ```
 #[derive(Debug)]
 pub struct Ring {
     generators: Vec<Generator>,
     assumptions: Assumptions,
-    basis: Vec<BasisAngle>,
+    pub(super) basis: Vec<BasisAngle>,
     budget: Budget,
 }
 
@@ -74,6 +87,8 @@ impl Ring {
 
     /// The symbol that stands for a generator, a new one if there is none yet.
     ///
+    /// Complexity: one comparison with each symbol of the ring.
+    ///
     /// # Errors
     ///
     /// [`AlgebraError::TooManySymbols`] where the ring is full.
@@ -106,7 +121,7 @@ impl Ring {
     }
 
     /// The symbols of a polynomial whose squares a relation gives, the last made first.
-    fn quadratic_symbols(&self, polynomial: &Polynomial) -> Vec<Symbol> {
+    pub(super) fn quadratic_symbols(&self, polynomial: &Polynomial) -> Vec<Symbol> {
         let symbols = polynomial.symbols().into_iter().rev();
         symbols.filter(|symbol| self.generator(*symbol).is_quadratic()).collect()
     }
@@ -118,7 +133,11 @@ impl Ring {
     ///
     /// # Errors
     ///
-    /// [`AlgebraError::Exhausted`]
+    /// [`AlgebraError::Exhausted`] where the budget or a polynomial's size runs out.
+    ///
+    /// # Panics
+    ///
+    /// If a symbol is of another ring.
     pub fn reduce(&self, polynomial: &Polynomial) -> Result<Polynomial, AlgebraError> {
         let mut reduced = polynomial.clone();
         loop {
@@ -147,9 +166,24 @@ impl Ring {
     ///
     /// It is 0 exactly if its numerator is the polynomial 0.
     ///
+    /// Complexity: for each root and i in D, two products with a conjugate as long as D; then one
+    /// gcd of N and D.
+    ///
     /// # Errors
     ///
-    /// [`AlgebraError::DivisionByZero`] where D is 0, [`AlgebraError::Exhausted`].
+    /// [`AlgebraError::DivisionByZero`] where D folds to 0, [`AlgebraError::Exhausted`] where the
+    /// budget or a polynomial's size runs out.
+    ///
+    /// ```
+    /// use sextic::algebra::polynomial::Polynomial;
+    /// # use sextic::algebra::{budget::Budget, generator::Generator, ring::Ring};
+    ///
+    /// # let mut ring = Ring::new(Budget::new(10_000));
+    /// let i = Polynomial::symbol(ring.symbol(Generator::ImaginaryUnit)?);
+    /// let inverse = ring.fraction(&Polynomial::one(), &i)?;
+    /// assert_eq!(inverse, (-&i).into());
+    /// # Ok::<(), sextic::algebra::error::AlgebraError>(())
+    /// ```
     pub fn fraction(
         &self,
         numerator: &Polynomial,
@@ -162,11 +196,31 @@ impl Ring {
 
     /// The one form that equal elements share: no sine is left below the line either.
     ///
-    /// Arithmetic does without it, because freeing a denominator of sines can make it very long.
+    /// Over the cosines and the free symbols, the products of the other symbols are a basis of the
+    /// field, and the form is the one numerator over the least common denominator. Arithmetic does
+    /// without it, because freeing a denominator of sines can make it very long.
+    ///
+    /// Complexity: that of [`Ring::fraction`]; each sine in the denominator doubles the denominator's
+    /// degree.
     ///
     /// # Errors
     ///
-    /// [`AlgebraError::Exhausted`]
+    /// [`AlgebraError::Exhausted`] where the budget or a polynomial's size runs out.
+    ///
+    /// ```
+    /// # use sextic::algebra::{
+    /// #     arithmetic::{Arithmetic, Division}, budget::Budget, generator::Generator, ring::Ring,
+    /// # };
+    /// # let mut ring = Ring::new(Budget::new(10_000));
+    /// let alpha = ring.symbol(Generator::Angle { name: "α".into() })?;
+    /// let angle = ring.angle(&ring.element(alpha)).expect("α is an angle");
+    /// let (cosine, sine) = ring.cosine_and_sine(&angle)?;
+    /// // 1/sin α and sin α/(1 − cos²α)
+    /// let inverse = ring.quotient(&ring.one(), &sine)?;
+    /// let square = ring.difference(&ring.one(), &ring.product(&cosine, &cosine)?)?;
+    /// assert_eq!(ring.canonical(&inverse)?, ring.canonical(&ring.quotient(&sine, &square)?)?);
+    /// # Ok::<(), sextic::algebra::error::AlgebraError>(())
+    /// ```
     pub fn canonical(&self, element: &Fraction) -> Result<Fraction, AlgebraError> {
         self.rationalize(element.numerator(), element.denominator(), Generator::is_quadratic)
     }
@@ -197,40 +251,6 @@ impl Ring {
         }
     }
 
-    /// A result of the arithmetic of fractions with its squares folded away.
-    fn fold(&self, element: Fraction) -> Result<Fraction, AlgebraError> {
-        let folded = |side: &Polynomial| {
-            self.quadratic_symbols(side).into_iter().all(|symbol| side.degree_in(symbol) < 2)
-        };
-        if folded(element.numerator()) && folded(element.denominator()) {
-            return Ok(element);
-        }
-        self.fraction(element.numerator(), element.denominator())
-    }
-
-    /// aⁿ, for negative n as well.
-    ///
-    /// # Errors
-    ///
-    /// [`AlgebraError::DivisionByZero`] for a negative power of 0, [`AlgebraError::Exhausted`].
-    pub fn power(&self, base: &Fraction, exponent: i64) -> Result<Fraction, AlgebraError> {
-        if exponent < 0 {
-            let inverse = self.quotient(&self.one(), base)?;
-            return self.power(&inverse, exponent.saturating_neg());
-        }
-        let (mut result, mut square, mut rest) = (self.one(), base.clone(), exponent);
-        while rest > 0 {
-            if rest % 2 == 1 {
-                result = self.product(&result, &square)?;
-            }
-            rest /= 2;
-            if rest > 0 {
-                square = self.product(&square, &square)?;
-            }
-        }
-        Ok(result)
-    }
-
     /// The symbol as an element.
     pub fn element(&self, symbol: Symbol) -> Fraction {
         Fraction::from(Polynomial::symbol(symbol))
@@ -243,209 +263,23 @@ impl Ring {
         (*coefficient == Integer::ONE && element.denominator().is_one()).then_some(symbol)
     }
 
-    /// The element as an angle, where it is a sum of angular symbols with integer coefficients.
-    pub fn angle(&self, element: &Fraction) -> Option<Angle> {
-        if element.denominator().as_constant()? != Integer::ONE {
-            return None;
-        }
-        let terms = element.numerator().terms().iter();
-        let coefficients: Option<Vec<(Symbol, Integer)>> = terms
-            .map(|(monomial, coefficient)| {
-                let (symbol, _) = monomial.factors().next().filter(|_| monomial.degree() == 1)?;
-                self.generator(symbol).is_angular().then(|| (symbol, coefficient.clone()))
-            })
-            .collect();
-        Some(Angle::new(coefficients?))
-    }
-
-    /// The angle as an element.
-    pub fn angle_element(&self, angle: &Angle) -> Fraction {
-        let terms = angle.coefficients().map(|(symbol, k)| (Monomial::power(symbol, 1), k.clone()));
-        Fraction::from(Polynomial::from_terms(terms))
-    }
-
-    /// (cos A, sin A), by the addition formulas from the basis; an angle that is independent of the
-    /// basis joins it.
+    /// f⁽ᵏ⁾(A) of a function f known only by its name, with k the `order` and A the `argument`: a
+    /// symbol of its own, the same one for equal arguments.
+    ///
+    /// Complexity: that of [`Ring::canonical`] for A.
     ///
     /// # Errors
     ///
-    /// [`AlgebraError::FractionalAngle`] where A is a fraction of what the basis holds,
-    /// [`AlgebraError::Exhausted`], [`AlgebraError::TooManySymbols`].
-    pub fn cosine_and_sine(&mut self, angle: &Angle) -> Result<(Fraction, Fraction), AlgebraError> {
-        let mut result = (self.one(), self.zero());
-        let mut free = angle.clone();
-        for (symbol, k) in angle.coefficients() {
-            let pair = match self.generator(symbol).clone() {
-                // The angle of a vector (x, y) of length w has the cosine x/w and the sine y/w.
-                Generator::Direction { x, y, length } => {
-                    (self.quotient(&x, &length)?, self.quotient(&y, &length)?)
-                }
-                // What changes with time stands apart from what does not.
-                Generator::Coordinate { .. } => {
-                    let angle = Angle::new([(symbol, Integer::ONE)]);
-                    let BasisAngle { cosine, sine, .. } = self.basis_angle(angle)?;
-                    (self.element(cosine), self.element(sine))
-                }
-                _ => continue,
-            };
-            result = self.turn(result, &self.multiple(&pair, k)?)?;
-            free = free.split_off(symbol).0;
-        }
-        if free.is_zero() {
-            return Ok(result);
-        }
-        let known: Vec<Angle> = self.basis.iter().map(|basis| basis.angle.clone()).collect();
-        let multiples = match decompose(&free, &known) {
-            Decomposition::Integral(multiples) => multiples,
-            Decomposition::Fractional => return Err(AlgebraError::FractionalAngle),
-            Decomposition::Independent => {
-                let negative = free.is_negative();
-                self.basis_angle(if negative { free.negative() } else { free })?;
-                let mut multiples = vec![Integer::ZERO; known.len()];
-                multiples.push(if negative { -Integer::ONE } else { Integer::ONE });
-                multiples
-            }
-        };
-        for (basis, k) in self.basis.iter().zip(&multiples) {
-            let pair = (self.element(basis.cosine), self.element(basis.sine));
-            result = self.turn(result, &self.multiple(&pair, k)?)?;
-        }
-        Ok(result)
-    }
-
-    /// The cosine and sine of an angle of the basis, which joins it if it is new.
-    fn basis_angle(&mut self, angle: Angle) -> Result<BasisAngle, AlgebraError> {
-        if let Some(known) = self.basis.iter().find(|known| known.angle == angle) {
-            return Ok(known.clone());
-        }
-        let cosine = self.symbol(Generator::Cosine { angle: angle.clone() })?;
-        let sine = self.symbol(Generator::Sine { angle: angle.clone() })?;
-        self.basis.push(BasisAngle { angle, cosine, sine });
-        self.basis.last().cloned().ok_or(AlgebraError::TooManySymbols)
-    }
-
-    /// (cos(A + B), sin(A + B)).
-    fn turn(
-        &self,
-        (cos_a, sin_a): (Fraction, Fraction),
-        (cos_b, sin_b): &(Fraction, Fraction),
-    ) -> Result<(Fraction, Fraction), AlgebraError> {
-        let cosine = self.difference(&self.product(&cos_a, cos_b)?, &self.product(&sin_a, sin_b)?)?;
-        let sine = self.sum(&self.product(&sin_a, cos_b)?, &self.product(&cos_a, sin_b)?)?;
-        Ok((cosine, sine))
-    }
-
-    /// (cos kA, sin kA).
-    fn multiple(
-        &self,
-        (cosine, sine): &(Fraction, Fraction),
-        k: &Integer,
-    ) -> Result<(Fraction, Fraction), AlgebraError> {
-        let count = i64::try_from(k).map_err(|_| AlgebraError::FractionalAngle)?;
-        let sine = if count < 0 { self.negative(sine) } else { sine.clone() };
-        let step = (cosine.clone(), sine);
-        let mut result = (self.one(), self.zero());
-        for _ in 0..count.unsigned_abs() {
-            self.budget.spend(1)?;
-            result = self.turn(result, &step)?;
-        }
-        Ok(result)
-    }
-
-    /// The angle of the vector (x, y): one of the basis where it is parallel to it, else a symbol of
-    /// its own.
-    ///
-    /// # Errors
-    ///
-    /// [`AlgebraError::DivisionByZero`] for the vector (0, 0), and those of
-    /// [`Ring::square_root`].
-    pub fn direction(&mut self, x: &Fraction, y: &Fraction) -> Result<Fraction, AlgebraError> {
-        for index in 0..self.basis.len() {
-            let BasisAngle { angle, cosine, sine } = self.basis[index].clone();
-            let (cosine, sine) = (self.element(cosine), self.element(sine));
-            let across = self.difference(&self.product(x, &sine)?, &self.product(y, &cosine)?)?;
-            let along = self.sum(&self.product(x, &cosine)?, &self.product(y, &sine)?)?;
-            if across.is_zero() && self.signs(&along)?.is_positive() {
-                return Ok(self.angle_element(&angle));
-            }
-        }
-        if y.is_zero() && self.signs(x)?.is_positive() {
-            return Ok(self.zero());
-        }
-        let length = self.length(x, y)?;
-        let (x, y) = (x.clone(), y.clone());
-        let symbol = self.symbol(Generator::Direction { x, y, length })?;
-        Ok(self.element(symbol))
-    }
-
-    /// √(x² + y²).
-    fn length(&mut self, x: &Fraction, y: &Fraction) -> Result<Fraction, AlgebraError> {
-        let square = self.sum(&self.product(x, x)?, &self.product(y, y)?)?;
-        if square.is_zero() {
-            return Err(AlgebraError::DivisionByZero);
-        }
-        self.square_root(&square)
-    }
-
-    /// f⁽ᵏ⁾(A), a symbol of its own.
-    ///
-    /// # Errors
-    ///
-    /// [`AlgebraError::TooManySymbols`]
+    /// [`AlgebraError::TooManySymbols`] where the ring is full, [`AlgebraError::Exhausted`] where the
+    /// budget runs out.
     pub fn function_value(
         &mut self,
         name: &str,
         order: u32,
         argument: &Fraction,
     ) -> Result<Fraction, AlgebraError> {
-        let argument = argument.clone();
+        let argument = self.canonical(argument)?;
         let symbol = self.symbol(Generator::FunctionValue { name: name.into(), order, argument })?;
         Ok(self.element(symbol))
-    }
-
-    /// The signs an element can have under the assumptions.
-    ///
-    /// # Errors
-    ///
-    /// [`AlgebraError::Exhausted`]
-    pub fn signs(&self, element: &Fraction) -> Result<Signs, AlgebraError> {
-        let numerator = self.polynomial_signs(element.numerator())?;
-        Ok(numerator.product(self.polynomial_signs(element.denominator())?))
-    }
-}
-
-impl Arithmetic for Ring {
-    type Element = Fraction;
-    type Error = AlgebraError;
-
-    fn zero(&self) -> Fraction {
-        Fraction::from(Rational::ZERO)
-    }
-
-    fn one(&self) -> Fraction {
-        Fraction::from(Rational::ONE)
-    }
-
-    fn is_zero(&self, a: &Fraction) -> bool {
-        a.is_zero()
-    }
-
-    fn sum(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, AlgebraError> {
-        self.fold(a.sum(b, &self.budget)?)
-    }
-
-    fn negative(&self, a: &Fraction) -> Fraction {
-        a.negative()
-    }
-
-    fn product(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, AlgebraError> {
-        self.fold(a.product(b, &self.budget)?)
-    }
-}
-
-impl Division for Ring {
-    fn quotient(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, AlgebraError> {
-        let inverse = self.fraction(b.denominator(), b.numerator())?;
-        self.product(a, &inverse)
     }
 }

@@ -17,10 +17,28 @@ impl Ring {
     /// √(N/D) = √(N·D)/|D|; squares of factors whose sign is known are taken out of N·D, and what is
     /// left under the root becomes a symbol w with w² = what is left.
     ///
+    /// Complexity: one square-free factorisation of N·D, and what it takes to find the signs of its
+    /// factors.
+    ///
     /// # Errors
     ///
     /// [`AlgebraError::UnknownSign`] where a is a square, but of a factor whose sign is not known, or
-    /// where a is negative; [`AlgebraError::Exhausted`].
+    /// where a is negative; [`AlgebraError::TooManySymbols`] where the ring is full;
+    /// [`AlgebraError::Exhausted`] where the budget or a polynomial's size runs out.
+    ///
+    /// ```
+    /// use sextic::algebra::{
+    ///     arithmetic::{Arithmetic, Division}, budget::Budget, fraction::Fraction, number::Rational,
+    ///     ring::Ring,
+    /// };
+    ///
+    /// let mut ring = Ring::new(Budget::new(10_000));
+    /// let number = |n: i32| Fraction::from(Rational::from(n));
+    /// // √8 = 2 √2
+    /// let (root, half) = (ring.square_root(&number(8))?, ring.square_root(&number(2))?);
+    /// assert_eq!(root, ring.product(&number(2), &half)?);
+    /// # Ok::<(), sextic::algebra::error::AlgebraError>(())
+    /// ```
     pub fn square_root(&mut self, element: &Fraction) -> Result<Fraction, AlgebraError> {
         if element.is_zero() {
             return Ok(self.zero());

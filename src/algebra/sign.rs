@@ -9,6 +9,14 @@ use super::polynomial::Polynomial;
 use super::symbol::Symbol;
 
 /// A set of signs: those a quantity may have as far as is known.
+///
+/// ```
+/// use sextic::algebra::sign::Signs;
+///
+/// assert_eq!(Signs::POSITIVE.sum(Signs::NON_NEGATIVE), Signs::POSITIVE);
+/// assert_eq!(Signs::POSITIVE.sum(Signs::NEGATIVE), Signs::ANY);
+/// assert_eq!(Signs::NON_ZERO.power(2), Signs::POSITIVE);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Signs {
     /// It may be below 0.

@@ -29,6 +29,22 @@ impl Ring {
     /// [`AlgebraError::DivisionByZero`] where the denominator becomes 0,
     /// [`AlgebraError::NotAnAngle`] where an angle is replaced by something that is none, and those
     /// of [`Ring::cosine_and_sine`] and [`Ring::square_root`].
+    ///
+    /// ```
+    /// use sextic::algebra::{
+    ///     arithmetic::Arithmetic, budget::Budget, generator::Generator, ring::Ring,
+    ///     substitution::Substitution,
+    /// };
+    ///
+    /// let mut ring = Ring::new(Budget::new(10_000));
+    /// let alpha = ring.symbol(Generator::Angle { name: "α".into() })?;
+    /// let angle = ring.angle(&ring.element(alpha)).expect("α is an angle");
+    /// let (cosine, _) = ring.cosine_and_sine(&angle)?;
+    /// // cos 0 = 1
+    /// let at_zero = Substitution::from([(alpha, ring.zero())]);
+    /// assert_eq!(ring.substitute(&cosine, &at_zero)?, ring.one());
+    /// # Ok::<(), sextic::algebra::error::AlgebraError>(())
+    /// ```
     pub fn substitute(
         &mut self,
         element: &Fraction,

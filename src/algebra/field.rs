@@ -1,0 +1,83 @@
+//! The field of fractions of a ring: its arithmetic.
+
+use super::arithmetic::{Arithmetic, Division};
+use super::error::AlgebraError;
+use super::fraction::Fraction;
+use super::number::Rational;
+use super::polynomial::Polynomial;
+use super::ring::Ring;
+
+impl Ring {
+    /// A result of the arithmetic of fractions with its squares folded away.
+    fn fold(&self, element: Fraction) -> Result<Fraction, AlgebraError> {
+        let folded = |side: &Polynomial| {
+            self.quadratic_symbols(side).into_iter().all(|symbol| side.degree_in(symbol) < 2)
+        };
+        if folded(element.numerator()) && folded(element.denominator()) {
+            return Ok(element);
+        }
+        self.fraction(element.numerator(), element.denominator())
+    }
+
+    /// aⁿ, for negative n as well; a⁰ = 1.
+    ///
+    /// Complexity: at most 2·log₂|n| products.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::DivisionByZero`] for a negative power of 0, [`AlgebraError::Exhausted`] where
+    /// the budget or a polynomial's size runs out.
+    pub fn power(&self, base: &Fraction, exponent: i64) -> Result<Fraction, AlgebraError> {
+        if exponent < 0 {
+            let inverse = self.quotient(&self.one(), base)?;
+            return self.power(&inverse, exponent.saturating_neg());
+        }
+        let (mut result, mut square, mut rest) = (self.one(), base.clone(), exponent);
+        while rest > 0 {
+            if rest % 2 == 1 {
+                result = self.product(&result, &square)?;
+            }
+            rest /= 2;
+            if rest > 0 {
+                square = self.product(&square, &square)?;
+            }
+        }
+        Ok(result)
+    }
+}
+
+impl Arithmetic for Ring {
+    type Element = Fraction;
+    type Error = AlgebraError;
+
+    fn zero(&self) -> Fraction {
+        Fraction::from(Rational::ZERO)
+    }
+
+    fn one(&self) -> Fraction {
+        Fraction::from(Rational::ONE)
+    }
+
+    fn is_zero(&self, a: &Fraction) -> bool {
+        a.is_zero()
+    }
+
+    fn sum(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, AlgebraError> {
+        self.fold(a.sum(b, self.budget())?)
+    }
+
+    fn negative(&self, a: &Fraction) -> Fraction {
+        a.negative()
+    }
+
+    fn product(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, AlgebraError> {
+        self.fold(a.product(b, self.budget())?)
+    }
+}
+
+impl Division for Ring {
+    fn quotient(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, AlgebraError> {
+        let inverse = self.fraction(b.denominator(), b.numerator())?;
+        self.product(a, &inverse)
+    }
+}
