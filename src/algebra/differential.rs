@@ -85,14 +85,14 @@ impl Ring {
             if image.is_zero() {
                 continue;
             }
-            let slope = self.fraction(&polynomial.derivative(symbol), &Polynomial::one())?;
+            let slope = Fraction::from(polynomial.derivative(symbol));
             sum = self.sum(&sum, &self.product(&slope, &image)?)?;
         }
         Ok(sum)
     }
 
     /// dg of one symbol g.
-    fn image(
+    pub(super) fn image(
         &mut self,
         symbol: Symbol,
         differential: &Differential,
@@ -115,17 +115,26 @@ impl Ring {
                 Differential::Images(_) => Ok(self.zero()),
             },
             Generator::Cosine { angle } => {
-                let (_, sine) = self.cosine_and_sine(&angle)?;
                 let turn = self.differentiate(&self.angle_element(&angle), differential)?;
+                if turn.is_zero() {
+                    return Ok(turn);
+                }
+                let (_, sine) = self.cosine_and_sine(&angle)?;
                 self.product(&self.negative(&sine), &turn)
             }
             Generator::Sine { angle } => {
-                let (cosine, _) = self.cosine_and_sine(&angle)?;
                 let turn = self.differentiate(&self.angle_element(&angle), differential)?;
+                if turn.is_zero() {
+                    return Ok(turn);
+                }
+                let (cosine, _) = self.cosine_and_sine(&angle)?;
                 self.product(&cosine, &turn)
             }
             Generator::Root { radicand } => {
                 let change = self.differentiate_polynomial(&radicand, differential)?;
+                if change.is_zero() {
+                    return Ok(change);
+                }
                 let twice = self.sum(&self.element(symbol), &self.element(symbol))?;
                 self.quotient(&change, &twice)
             }

@@ -8,6 +8,7 @@ use super::error::AlgebraError;
 use super::fraction::Fraction;
 use super::generator::Generator;
 use super::number::{Integer, Rational};
+use super::polynomial::Polynomial;
 use super::ring::Ring;
 use super::substitution::Substitution;
 use super::symbol::Symbol;
@@ -18,8 +19,8 @@ impl Ring {
     /// The part of degree k is Dᵏf/k! at q = 0, with D the derivative along q: it maps each qᵢ to a
     /// constant δᵢ, which is read as qᵢ in the end.
     ///
-    /// Complexity: `order` differentials, each of an element that grows with the degree before, and two
-    /// substitutions for each degree.
+    /// Complexity: one pass over the terms of a polynomial in q; `order` differentials, each of an
+    /// element that grows with the degree before, of anything else.
     ///
     /// # Errors
     ///
@@ -45,6 +46,20 @@ impl Ring {
         small: &[Symbol],
         order: u32,
     ) -> Result<Vec<Fraction>, AlgebraError> {
+        self.expand_until(element, small, order, |_| false)
+    }
+
+    /// The parts of an element as [`Ring::expand`] gives them, up to the first that is wanted.
+    ///
+    /// The part of degree k is Dᵏf/k! at q = 0, with D the derivative along q: it maps each qᵢ to a
+    /// constant δᵢ, which is read as qᵢ in the end.
+    fn expand_until(
+        &mut self,
+        element: &Fraction,
+        small: &[Symbol],
+        order: u32,
+        wanted: impl Fn(&Fraction) -> bool,
+    ) -> Result<Vec<Fraction>, AlgebraError> {
         let mut along = BTreeMap::new();
         let mut at_zero = Substitution::new();
         let mut back = Substitution::new();
@@ -55,20 +70,62 @@ impl Ring {
             back.insert(direction, self.element(*symbol));
         }
         let along = Differential::Images(along);
+        let polynomial = self.is_polynomial_in(element, small, &along)?;
         let mut derivative = element.clone();
         let mut factorial = Integer::ONE;
         let mut parts = Vec::new();
         for degree in 0..=order {
-            if degree > 0 {
-                derivative = self.differentiate(&derivative, &along)?;
-                factorial *= degree;
+            let part = if polynomial {
+                self.part_of_degree(element, small, degree)?
+            } else {
+                if degree > 0 {
+                    derivative = self.differentiate(&derivative, &along)?;
+                    factorial *= degree;
+                }
+                let value = self.substitute(&derivative, &at_zero)?;
+                let value = self.substitute(&value, &back)?;
+                self.quotient(&value, &Fraction::from(Rational::from(factorial.clone())))?
+            };
+            let last = wanted(&part);
+            parts.push(part);
+            if last {
+                break;
             }
-            let value = self.substitute(&derivative, &at_zero)?;
-            let value = self.substitute(&value, &back)?;
-            let factorial = Fraction::from(Rational::from(factorial.clone()));
-            parts.push(self.quotient(&value, &factorial)?);
         }
         Ok(parts)
+    }
+
+    /// Whether the small quantities appear above the line only, and in no other symbol's meaning.
+    fn is_polynomial_in(
+        &mut self,
+        element: &Fraction,
+        small: &[Symbol],
+        along: &Differential,
+    ) -> Result<bool, AlgebraError> {
+        let below = element.denominator().symbols();
+        for symbol in below.iter().copied().chain(element.numerator().symbols()) {
+            let is_small = small.contains(&symbol);
+            if is_small && below.contains(&symbol) {
+                return Ok(false);
+            }
+            if !is_small && !self.image(symbol, along)?.is_zero() {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// The terms of one total degree in the small quantities, of a polynomial in them.
+    fn part_of_degree(
+        &self,
+        element: &Fraction,
+        small: &[Symbol],
+        degree: u32,
+    ) -> Result<Fraction, AlgebraError> {
+        let terms = element.numerator().terms().iter().filter(|(monomial, _)| {
+            small.iter().map(|symbol| monomial.exponent(*symbol)).sum::<u32>() == degree
+        });
+        self.fraction(&Polynomial::from_terms(terms.cloned()), element.denominator())
     }
 
     /// The element up to terms of total degree `order` in the small quantities.
@@ -102,7 +159,7 @@ impl Ring {
         small: &[Symbol],
         highest: u32,
     ) -> Result<Option<(u32, Fraction)>, AlgebraError> {
-        let parts = self.expand(element, small, highest)?;
+        let parts = self.expand_until(element, small, highest, |part| !part.is_zero())?;
         Ok((0..).zip(parts).find(|(_, part)| !part.is_zero()))
     }
 }

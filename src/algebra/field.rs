@@ -3,6 +3,7 @@
 use super::arithmetic::{Arithmetic, Division};
 use super::error::AlgebraError;
 use super::fraction::Fraction;
+use super::generator::Generator;
 use super::number::Rational;
 use super::polynomial::Polynomial;
 use super::ring::Ring;
@@ -10,9 +11,8 @@ use super::ring::Ring;
 impl Ring {
     /// A result of the arithmetic of fractions with its squares folded away.
     fn fold(&self, element: Fraction) -> Result<Fraction, AlgebraError> {
-        let folded = |side: &Polynomial| {
-            self.quadratic_symbols(side).into_iter().all(|symbol| side.degree_in(symbol) < 2)
-        };
+        let folded =
+            |side: &Polynomial| self.last_symbol(side, 2, Generator::is_quadratic).is_none();
         if folded(element.numerator()) && folded(element.denominator()) {
             return Ok(element);
         }
@@ -77,7 +77,10 @@ impl Arithmetic for Ring {
 
 impl Division for Ring {
     fn quotient(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, AlgebraError> {
-        let inverse = self.fraction(b.denominator(), b.numerator())?;
+        let inverse = match self.last_symbol(b.numerator(), 1, Generator::is_irrational) {
+            None => b.reciprocal()?,
+            Some(_) => self.fraction(b.denominator(), b.numerator())?,
+        };
         self.product(a, &inverse)
     }
 }

@@ -1,5 +1,7 @@
 //! Quotients of polynomials.
 
+use std::borrow::Cow;
+
 use dashu_base::UnsignedAbs;
 
 use super::budget::{Budget, Exhausted};
@@ -53,8 +55,23 @@ impl Fraction {
         if denominator.is_zero() {
             return Err(AlgebraError::DivisionByZero);
         }
-        let (numerator, denominator) = without_common(&numerator, &denominator, budget)?;
-        Ok(Fraction::from_coprime(numerator, denominator))
+        Fraction::reduced(numerator, denominator, budget)
+    }
+
+    /// `numerator / denominator` in lowest terms, with a denominator that is not zero.
+    fn reduced(
+        numerator: Polynomial,
+        denominator: Polynomial,
+        budget: &Budget,
+    ) -> Result<Self, AlgebraError> {
+        let common = common_divisor(&numerator, &denominator, budget)?;
+        Ok(match common {
+            None => Fraction::from_coprime(numerator, denominator),
+            Some(common) => Fraction::from_coprime(
+                quotient(&numerator, &common, budget)?,
+                quotient(&denominator, &common, budget)?,
+            ),
+        })
     }
 
     /// The fraction without symbols of this value.
@@ -154,10 +171,13 @@ impl Fraction {
     pub fn product(&self, other: &Self, budget: &Budget) -> Result<Self, AlgebraError> {
         let (left, right) = (self, other);
         // What is common can only be so across: each operand has none itself.
-        let (n, e) = without_common(&left.numerator, &right.denominator, budget)?;
-        let (m, d) = without_common(&right.numerator, &left.denominator, budget)?;
-        let numerator = n.multiply(&m, budget)?;
-        let denominator = d.multiply(&e, budget)?;
+        let first = common_divisor(&left.numerator, &right.denominator, budget)?;
+        let second = common_divisor(&right.numerator, &left.denominator, budget)?;
+        let over = |side, common| over(side, common, budget);
+        let numerator =
+            over(&left.numerator, &first)?.multiply(&*over(&right.numerator, &second)?, budget)?;
+        let denominator =
+            over(&left.denominator, &second)?.multiply(&*over(&right.denominator, &first)?, budget)?;
         Ok(Fraction::from_coprime(numerator, denominator))
     }
 
@@ -225,39 +245,47 @@ impl Fraction {
         let (left, right) = (self, other);
         if left.denominator == right.denominator {
             let numerator = operation(&left.numerator, &right.numerator);
-            let (numerator, denominator) = without_common(&numerator, &left.denominator, budget)?;
-            return Ok(Fraction::from_coprime(numerator, denominator));
+            return Fraction::reduced(numerator, left.denominator.clone(), budget);
         }
-        let common = left.denominator.gcd(&right.denominator, budget)?;
-        let d = quotient(&left.denominator, &common, budget)?;
-        let e = quotient(&right.denominator, &common, budget)?;
+        let common = common_divisor(&left.denominator, &right.denominator, budget)?;
+        let d = over(&left.denominator, &common, budget)?;
+        let e = over(&right.denominator, &common, budget)?;
         let numerator = operation(
             &left.numerator.multiply(&e, budget)?,
             &right.numerator.multiply(&d, budget)?,
         );
-        let (numerator, common) = without_common(&numerator, &common, budget)?;
-        let denominator = common.multiply(&d, budget)?.multiply(&e, budget)?;
-        Ok(Fraction::from_coprime(numerator, denominator))
+        let Some(common) = common else {
+            return Ok(Fraction::from_coprime(numerator, d.multiply(&e, budget)?));
+        };
+        let rest = Fraction::reduced(numerator, common, budget)?;
+        let denominator = rest.denominator.multiply(&d, budget)?.multiply(&e, budget)?;
+        Ok(Fraction::from_coprime(rest.numerator, denominator))
     }
 }
 
-/// Two polynomials divided by their gcd; the second one is not zero.
-fn without_common(
+/// The gcd of two polynomials, where it is not 1; the second one is not zero.
+fn common_divisor(
     left: &Polynomial,
     right: &Polynomial,
     budget: &Budget,
-) -> Result<(Polynomial, Polynomial), Exhausted> {
+) -> Result<Option<Polynomial>, Exhausted> {
     if left.is_one() || right.is_one() {
-        return Ok((left.clone(), right.clone()));
+        return Ok(None);
     }
     let common = left.gcd(right, budget)?;
-    if common.is_one() {
-        return Ok((left.clone(), right.clone()));
+    Ok((!common.is_one()).then_some(common))
+}
+
+/// A polynomial divided by one that divides it, if there is one.
+fn over<'a>(
+    dividend: &'a Polynomial,
+    divisor: &Option<Polynomial>,
+    budget: &Budget,
+) -> Result<Cow<'a, Polynomial>, Exhausted> {
+    match divisor {
+        None => Ok(Cow::Borrowed(dividend)),
+        Some(divisor) => Ok(Cow::Owned(quotient(dividend, divisor, budget)?)),
     }
-    Ok((
-        quotient(left, &common, budget)?,
-        quotient(right, &common, budget)?,
-    ))
 }
 
 impl From<Polynomial> for Fraction {

@@ -77,6 +77,11 @@ impl Generator {
         }
     }
 
+    /// Whether the symbol is a root or i, which no denominator contains.
+    pub fn is_irrational(&self) -> bool {
+        matches!(self, Generator::Root { .. } | Generator::ImaginaryUnit)
+    }
+
     /// Whether the symbol is bound to others by a quadratic relation, so that it appears at most
     /// linearly in a normal form.
     pub fn is_quadratic(&self) -> bool {

@@ -11,6 +11,7 @@ use std::fmt;
 use dashu_base::Signed;
 
 use super::budget::{Exhausted, check_exponent};
+use super::degrees::Degrees;
 use super::monomial::Monomial;
 use super::number::Integer;
 use super::symbol::Symbol;
@@ -148,11 +149,7 @@ impl Polynomial {
 
     /// The symbols that occur.
     pub fn symbols(&self) -> BTreeSet<Symbol> {
-        let factors = self
-            .terms
-            .iter()
-            .flat_map(|(monomial, _)| monomial.factors());
-        factors.map(|(symbol, _)| symbol).collect()
+        Degrees::of(self).iter().map(|(symbol, _)| symbol).collect()
     }
 
     /// Whether `symbol` occurs.

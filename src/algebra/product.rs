@@ -36,6 +36,9 @@ impl Polynomial {
         if self.is_zero() || other.is_zero() {
             return Ok(Polynomial::zero());
         }
+        if self.is_one() || other.is_one() {
+            return Ok(if self.is_one() { other } else { self }.clone());
+        }
         budget.spend(length(self).saturating_mul(length(other)))?;
         // A term of the product is a sum of at most one product for each term
         // of the shorter factor.

@@ -2,6 +2,7 @@
 
 use super::angle::Angle;
 use super::budget::Budget;
+use super::degrees::Degrees;
 use super::error::AlgebraError;
 use super::fraction::Fraction;
 use super::generator::Generator;
@@ -120,10 +121,17 @@ impl Ring {
         }
     }
 
-    /// The symbols of a polynomial whose squares a relation gives, the last made first.
-    pub(super) fn quadratic_symbols(&self, polynomial: &Polynomial) -> Vec<Symbol> {
-        let symbols = polynomial.symbols().into_iter().rev();
-        symbols.filter(|symbol| self.generator(*symbol).is_quadratic()).collect()
+    /// The last made of the symbols of at least the given degree in a polynomial whose generators are
+    /// such as wanted.
+    pub(super) fn last_symbol(
+        &self,
+        polynomial: &Polynomial,
+        least: u32,
+        wanted: impl Fn(&Generator) -> bool,
+    ) -> Option<Symbol> {
+        let degrees = Degrees::of(polynomial);
+        let symbols = degrees.iter().filter(|(_, degree)| *degree >= least).map(|(symbol, _)| symbol);
+        symbols.filter(|symbol| wanted(self.generator(*symbol))).last()
     }
 
     /// The normal form of a polynomial: at most linear in every symbol whose square is known.
@@ -140,12 +148,8 @@ impl Ring {
     /// If a symbol is of another ring.
     pub fn reduce(&self, polynomial: &Polynomial) -> Result<Polynomial, AlgebraError> {
         let mut reduced = polynomial.clone();
-        loop {
-            let symbols = self.quadratic_symbols(&reduced);
-            let Some(symbol) = symbols.into_iter().find(|symbol| reduced.degree_in(*symbol) > 1) else {
-                return Ok(reduced);
-            };
-            let Some(square) = self.square_of(symbol) else { return Ok(reduced) };
+        while let Some(symbol) = self.last_symbol(&reduced, 2, Generator::is_quadratic) {
+            let Some(square) = self.square_of(symbol) else { break };
             // Horner's rule in the square, for the even and the odd powers apart.
             let coefficients = reduced.coefficients_in(symbol);
             let mut parts = [Polynomial::zero(), Polynomial::zero()];
@@ -160,6 +164,7 @@ impl Ring {
             let [even, odd] = parts;
             reduced = &even + &odd.multiply(&Polynomial::symbol(symbol), &self.budget)?;
         }
+        Ok(reduced)
     }
 
     /// N/D with both sides in normal form, in lowest terms, and with no root and no i below the line.
@@ -189,9 +194,7 @@ impl Ring {
         numerator: &Polynomial,
         denominator: &Polynomial,
     ) -> Result<Fraction, AlgebraError> {
-        self.rationalize(numerator, denominator, |generator| {
-            matches!(generator, Generator::Root { .. } | Generator::ImaginaryUnit)
-        })
+        self.rationalize(numerator, denominator, Generator::is_irrational)
     }
 
     /// The one form that equal elements share: no sine is left below the line either.
@@ -235,12 +238,7 @@ impl Ring {
     ) -> Result<Fraction, AlgebraError> {
         let mut numerator = self.reduce(numerator)?;
         let mut denominator = self.reduce(denominator)?;
-        loop {
-            let symbols = self.quadratic_symbols(&denominator).into_iter();
-            let Some(symbol) = symbols.into_iter().find(|symbol| unwanted(self.generator(*symbol)))
-            else {
-                return Fraction::new(numerator, denominator, &self.budget);
-            };
+        while let Some(symbol) = self.last_symbol(&denominator, 1, &unwanted) {
             let mut coefficients = denominator.coefficients_in(symbol);
             if let Some(linear) = coefficients.get_mut(&1) {
                 *linear = -&*linear;
@@ -249,6 +247,7 @@ impl Ring {
             numerator = self.reduce(&numerator.multiply(&conjugate, &self.budget)?)?;
             denominator = self.reduce(&denominator.multiply(&conjugate, &self.budget)?)?;
         }
+        Fraction::new(numerator, denominator, &self.budget)
     }
 
     /// The symbol as an element.

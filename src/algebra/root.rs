@@ -14,8 +14,9 @@ use super::sign::Signs;
 impl Ring {
     /// √a ≥ 0 of a real element a ≥ 0.
     ///
-    /// √(N/D) = √(N·D)/|D|; squares of factors whose sign is known are taken out of N·D, and what is
-    /// left under the root becomes a symbol w with w² = what is left.
+    /// √(N/D) = √(N·D)/|D|; squares of factors of N·D whose sign is known are taken out, every other
+    /// such factor p becomes a symbol w with w² = p, so that √a·√b is √(a·b), and what has no known
+    /// sign becomes one such symbol together.
     ///
     /// Complexity: one square-free factorisation of N·D, and what it takes to find the signs of its
     /// factors.
@@ -48,35 +49,39 @@ impl Ring {
         }
         let under = element.numerator().multiply(element.denominator(), self.budget())?;
         let under = self.reduce(&under)?;
-        let (mut outside, mut inside) = integer_square_part(&under.content());
-        if under.leading().is_some_and(|(_, leading)| *leading < Integer::ZERO) {
-            inside = -inside;
-        }
-        let mut radicand = Polynomial::constant(inside);
-        let mut root = Polynomial::one();
+        let (outside, mut single) = integer_square_part(&under.content());
+        let mut root = Polynomial::constant(outside);
+        // What has no known sign keeps one root together.
+        let mut mixed = Polynomial::one();
+        let mut negative = under.signed_content() < Integer::ZERO;
         for (factor, multiplicity) in under.square_free(self.budget())? {
             let signs = self.polynomial_signs(&factor)?;
-            let sign = if signs.is_non_negative() {
-                Integer::ONE
+            let factor = if signs.is_non_negative() {
+                factor
             } else if !signs.positive {
-                -Integer::ONE
+                negative ^= multiplicity % 2 == 1;
+                -&factor
             } else {
                 let kept = factor.power(multiplicity, self.budget())?;
-                radicand = radicand.multiply(&kept, self.budget())?;
+                mixed = mixed.multiply(&kept, self.budget())?;
                 continue;
             };
-            let power = factor.power(multiplicity / 2, self.budget())?;
-            root = root.multiply(&power, self.budget())?;
-            outside *= if multiplicity / 2 % 2 == 1 { sign } else { Integer::ONE };
+            root = root.multiply(&factor.power(multiplicity / 2, self.budget())?, self.budget())?;
             if multiplicity % 2 == 1 {
-                radicand = radicand.multiply(&factor, self.budget())?;
+                single.push(factor);
             }
         }
-        let mut numerator = Fraction::from(root.scale(&outside));
-        if radicand != Polynomial::one() {
-            if radicand.square_root(self.budget())?.is_some() {
+        if negative {
+            mixed = -&mixed;
+        }
+        if mixed != Polynomial::one() {
+            if mixed.as_constant().is_some() || mixed.square_root(self.budget())?.is_some() {
                 return Err(AlgebraError::UnknownSign);
             }
+            single.push(mixed);
+        }
+        let mut numerator = Fraction::from(root);
+        for radicand in single {
             let strictly = self.polynomial_signs(&radicand)?.is_positive();
             let symbol = self.symbol(Generator::Root { radicand })?;
             let signs = if strictly { Signs::POSITIVE } else { Signs::NON_NEGATIVE };
@@ -102,20 +107,25 @@ fn exact_square_root(n: &Integer) -> Option<Integer> {
     (&root * &root == *n).then_some(root)
 }
 
-/// (a, b) with n = a²·b for n > 0, b as small as trial division by small primes and a test for
-/// squares find it.
-fn integer_square_part(n: &Integer) -> (Integer, Integer) {
+/// (a, [b, c, …]) with n = a²·b·c·… for n > 0, where b, c, … are the primes that trial division finds
+/// once, and the rest.
+fn integer_square_part(n: &Integer) -> (Integer, Vec<Polynomial>) {
     const LARGEST_DIVISOR: u32 = 1000;
-    let (mut root, mut rest) = (Integer::ONE, n.clone());
-    for divisor in 2..=LARGEST_DIVISOR {
-        let square = Integer::from(divisor * divisor);
+    let (mut root, mut single, mut rest) = (Integer::ONE, Vec::new(), n.clone());
+    for divisor in (2..=LARGEST_DIVISOR).map(Integer::from) {
+        let square = &divisor * &divisor;
         while (&rest % &square).is_zero() {
             rest /= &square;
-            root *= divisor;
+            root *= &divisor;
+        }
+        if (&rest % &divisor).is_zero() {
+            rest /= &divisor;
+            single.push(Polynomial::constant(divisor));
         }
     }
     match exact_square_root(&rest) {
-        Some(exact) => (root * exact, Integer::ONE),
-        None => (root, rest),
+        Some(exact) => root *= exact,
+        None => single.push(Polynomial::constant(rest)),
     }
+    (root, single)
 }

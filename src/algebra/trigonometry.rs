@@ -93,7 +93,7 @@ impl Ring {
                 known.iter().map(|_| Integer::ZERO).chain([k]).collect()
             }
         };
-        for (basis, k) in self.basis.iter().zip(&multiples) {
+        for (basis, k) in self.basis.iter().zip(&multiples).filter(|(_, k)| !k.is_zero()) {
             let pair = (self.element(basis.cosine), self.element(basis.sine));
             result = self.turn(result, &self.multiple(&pair, k)?)?;
         }

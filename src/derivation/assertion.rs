@@ -14,7 +14,7 @@ use crate::algebra::sign::Signs;
 
 use super::condition::Conditions;
 use super::diagnostic::{Diagnostic, DiagnosticKind};
-use super::elaboration::{Elaborator, algebra};
+use super::elaboration::{Elaborator, algebra, check_order};
 use super::evaluation::evaluator::Evaluator;
 use super::evaluation::number::Number;
 use super::evaluation::point::Size;
@@ -37,7 +37,7 @@ const MOST_CHECKPOINTS: usize = 24;
 const MOST_ATTEMPTS: u64 = 400;
 
 /// Numbers large enough that two different expressions do not agree by chance.
-const LARGE: Size = Size { numerator: 10_000, denominator: 100 };
+const LARGE: Size = Size { numerator: 1_000_000, denominator: 1 };
 
 /// Numbers small enough to check by hand; later ones are larger.
 const SMALL: [Size; 3] = [
@@ -116,6 +116,15 @@ impl Elaborator {
             })
         };
         let relation = &assertion.relation;
+        if let Some(order) = &assertion.order {
+            check_order(order.order, span)?;
+            if relation.comparison != Comparison::Equal {
+                let message = "only an equation can hold to an order";
+                return Err(Diagnostic::new(DiagnosticKind::Unsupported, span.clone(), message)
+                    .with_label("an inequality")
+                    .with_help("leave out `to order …`, or compare with `==`"));
+            }
+        }
         let sides = self.value(&relation.left).and_then(|left| Ok((left, self.value(&relation.right)?)));
         let (left, right) = match sides {
             Ok(sides) => sides,
@@ -247,7 +256,8 @@ impl Elaborator {
         let [difference] = differences else {
             let message = "matrices have no order";
             return Err(Diagnostic::new(DiagnosticKind::Shape, span.clone(), message)
-                .with_help("compare their entries"));
+                .with_label("a matrix")
+                .with_help("compare their entries, such as `A[1, 2] < B[1, 2]`"));
         };
         let signs = self.ring.signs(difference).map_err(|error| algebra(error, span))?;
         let wanted = allowed(comparison);

@@ -88,10 +88,14 @@ pub fn audit(source: &SourceFile, library: &dyn Library) -> Result<Audit, Box<Re
     };
     let mut claims = Vec::new();
     for finding in &read.findings {
+        let t = std::time::Instant::now();
         claims.push(judge.judge(finding).map_err(rejected)?);
+        eprintln!("JUDGE {} {}", finding.assertion.line, t.elapsed().as_micros());
     }
     for check in &read.checks {
+        let t = std::time::Instant::now();
         check.confirm(&mut judge).map_err(rejected)?;
+        eprintln!("CHECK 0 {}", t.elapsed().as_micros());
     }
     Ok(Audit { path: source.path.clone(), title: read.title, claims, matchings: read.matchings })
 }
@@ -133,7 +137,9 @@ impl Reader<'_> {
         for statement in &document.statements {
             self.elaborator.fresh();
             let line = line_of(&source.text, statement.span.start);
+            let t = std::time::Instant::now();
             self.execute(statement, line, &mut read).map_err(|error| reject(vec![error]))?;
+            eprintln!("TIME {line} {}", t.elapsed().as_micros());
         }
         Ok(read)
     }
@@ -250,6 +256,9 @@ impl Reader<'_> {
                     line,
                     span: span.clone(),
                 };
+                if std::env::var("REPEAT").is_ok_and(|l| l == line.to_string()) {
+                    for _ in 0..200 { self.elaborator.fresh(); std::hint::black_box(self.elaborator.find(&assertion)?); }
+                }
                 read.findings.push(self.elaborator.find(&assertion)?);
                 Ok(())
             }
@@ -353,6 +362,15 @@ impl Reader<'_> {
         arguments: &[Spanned<Name>],
         values: &[Expression],
     ) -> Result<(), Diagnostic> {
+        for (place, argument) in arguments.iter().enumerate() {
+            if let Some(earlier) = arguments[..place].iter().find(|e| e.value == argument.value) {
+                let message = format!("two arguments are called `{}`", argument.value);
+                return Err(Diagnostic::new(DiagnosticKind::Duplicate, argument.span.clone(), message)
+                    .with_label("the same again")
+                    .with_secondary(earlier.span.clone(), "the first one")
+                    .with_help("give each argument a name of its own"));
+            }
+        }
         for (name, expression) in names.iter().zip(values) {
             let meaning = if arguments.is_empty() {
                 self.elaborator.fresh();
@@ -379,7 +397,8 @@ impl Reader<'_> {
         if value.entries().iter().all(zero) {
             let message = "an eigenvector must not be 0";
             return Err(Diagnostic::new(DiagnosticKind::Arguments, vector.span.clone(), message)
-                .with_label("this is 0"));
+                .with_label("this is 0")
+                .with_help("every value is an eigenvalue of 0; give a vector with an entry other than 0"));
         }
         Ok(())
     }

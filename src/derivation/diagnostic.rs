@@ -196,12 +196,9 @@ pub fn render(diagnostic: &Diagnostic, source: &SourceFile, colour: bool) -> Str
     let path = source.path.as_str();
     let place = |span: &Span| (path, source.clamp(span));
     let mark = |span, text: &str, paint| {
-        let label = Label::new(place(span)).with_color(paint);
-        if text.is_empty() {
-            label
-        } else {
-            label.with_message(text)
-        }
+        // Without words no mark is drawn.
+        let text = if text.is_empty() { "here" } else { text };
+        Label::new(place(span)).with_color(paint).with_message(text)
     };
     let others = diagnostic.secondary.iter();
     let mut marks = vec![(&diagnostic.span, diagnostic.label.as_str(), Color::Red)];

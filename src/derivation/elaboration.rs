@@ -1,6 +1,6 @@
 //! Expressions become elements of the ring: the first of the two routes to a verdict.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::arithmetic::{Arithmetic, Division};
 use crate::algebra::budget::Budget;
@@ -17,7 +17,7 @@ use crate::algebra::substitution::Substitution;
 use crate::algebra::symbol::Symbol;
 
 use super::condition::Conditions;
-use super::diagnostic::{Diagnostic, DiagnosticKind};
+use super::diagnostic::{Diagnostic, DiagnosticKind, nearest};
 use super::notation::Notation;
 use super::presentation::Presenter;
 use super::quantity::{Quantities, Quantity, QuantityError, Value};
@@ -31,6 +31,21 @@ const MOST_ROWS: usize = 64;
 /// How deep definitions with arguments may call each other.
 const DEEPEST_CALL: usize = 32;
 
+/// How deep expressions may be nested, calls included; what evaluates them is recursive.
+const DEEPEST_NESTING: usize = 600;
+
+/// The most steps of one statement are spent on so many parts of expressions.
+const MOST_PARTS: u64 = 200_000;
+
+/// The highest order of an expansion in small quantities.
+const HIGHEST_ORDER: u32 = 12;
+
+/// The most minors that one determinant may need.
+const MOST_MINORS: usize = 20_000;
+
+/// The most terms that the entries of one value may have together.
+const MOST_TERMS_OF_A_VALUE: usize = 1_000_000;
+
 /// Turns expressions into elements of its ring, with units, and collects the conditions under which
 /// they exist.
 #[derive(Debug)]
@@ -42,6 +57,7 @@ pub struct Elaborator {
     /// What the steps since the last [`Elaborator::fresh`] needed.
     pub conditions: Conditions,
     arguments: Vec<BTreeMap<String, Value>>,
+    nesting: usize,
 }
 
 impl Elaborator {
@@ -52,6 +68,7 @@ impl Elaborator {
             scope: Scope::default(),
             conditions: Conditions::default(),
             arguments: Vec::new(),
+            nesting: 0,
         }
     }
 
@@ -60,6 +77,7 @@ impl Elaborator {
         self.ring.budget().refill();
         self.conditions = Conditions::default();
         self.arguments.clear();
+        self.nesting = 0;
     }
 
     /// What an expression is.
@@ -69,6 +87,33 @@ impl Elaborator {
     /// A [`Diagnostic`] at the part that has no value.
     pub fn value(&mut self, expression: &Expression) -> Result<Value, Diagnostic> {
         let span = &expression.span;
+        let budget = self.ring.budget();
+        budget
+            .spend(budget.limit() / MOST_PARTS)
+            .map_err(|exhausted| algebra(AlgebraError::Exhausted(exhausted), span))?;
+        if self.nesting >= DEEPEST_NESTING {
+            let message = "calls and brackets are nested too deeply";
+            return Err(Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+                .with_label(format!("more than {DEEPEST_NESTING} within each other"))
+                .with_help("give names to parts with `:=`"));
+        }
+        self.nesting += 1;
+        let value = self.value_of_node(expression, span);
+        self.nesting -= 1;
+        let value = value?;
+        let terms = |entry: &Quantity| entry.value.numerator().len() + entry.value.denominator().len();
+        if value.entries().iter().map(terms).sum::<usize>() > MOST_TERMS_OF_A_VALUE {
+            let message = format!(
+                "this is too large to compute: its entries have more than {MOST_TERMS_OF_A_VALUE} terms"
+            );
+            return Err(Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+                .with_label("given up here")
+                .with_help("compute with fewer entries at a time"));
+        }
+        Ok(value)
+    }
+
+    fn value_of_node(&mut self, expression: &Expression, span: &Span) -> Result<Value, Diagnostic> {
         match &expression.node {
             Node::Number(number) => Ok(Quantity::number(number.clone()).scalar()),
             Node::Name(name) => self.named(name, span),
@@ -118,9 +163,9 @@ impl Elaborator {
             )
         });
         single.ok_or_else(|| {
-            let message = "this is no variable";
+            let message = "a variable is needed here";
             Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
-                .with_label("not a parameter, angle, coordinate or time derivative of one")
+                .with_label("not a parameter, an angle, a coordinate, its time derivative or a function's value")
                 .with_help("give the bare name of a variable, such as `x` or `dt(x)`")
         })
     }
@@ -359,11 +404,11 @@ impl Elaborator {
     pub fn inverse(&mut self, matrix: &Value, span: &Span) -> Result<Value, Diagnostic> {
         if !matrix.is_square() {
             let (rows, columns) = matrix.shape();
-            return Err(shape(span, format!("a {rows}×{columns} matrix has no inverse")));
+            return Err(shape(span, format!("a {rows}×{columns} matrix has no inverse"))
+                .with_help("only square matrices have one"));
         }
-        let arithmetic = Quantities(&self.ring);
-        let below = determinant(matrix, &arithmetic).map_err(|error| quantity(error, span))?;
-        let above = adjugate(matrix, &arithmetic).map_err(|error| quantity(error, span))?;
+        let below = self.determinant(matrix, span)?;
+        let above = self.adjugate(matrix, span)?;
         if below.value.is_zero() {
             let message = "the determinant of this matrix is identically 0";
             return Err(Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
@@ -371,6 +416,18 @@ impl Elaborator {
                 .with_help("look at its null space with `kernel(…)`"));
         }
         self.divide(&above, &below, span)
+    }
+
+    /// |A| of a square matrix.
+    pub fn determinant(&self, matrix: &Value, span: &Span) -> Result<Quantity, Diagnostic> {
+        check_minors(matrix, 1, span)?;
+        determinant(matrix, &Quantities(&self.ring)).map_err(|error| quantity(error, span))
+    }
+
+    /// adj A of a square matrix.
+    pub fn adjugate(&self, matrix: &Value, span: &Span) -> Result<Value, Diagnostic> {
+        check_minors(matrix, matrix.rows().pow(2).div_ceil(50), span)?;
+        adjugate(matrix, &Quantities(&self.ring)).map_err(|error| quantity(error, span))
     }
 
     /// √q, which is real for q ≥ 0.
@@ -398,7 +455,8 @@ impl Elaborator {
                 } else if band.len() != value.rows() {
                     let message = "the blocks of a row have different heights";
                     return Err(shape(&block.span, message.into())
-                        .with_label(format!("{} rows, not {}", value.rows(), band.len())));
+                        .with_label(format!("height {}, not {}", value.rows(), band.len()))
+                        .with_help("blocks side by side have equally many rows"));
                 }
                 for (index, line) in band.iter_mut().enumerate() {
                     line.extend((0..value.columns()).map(|column| value.at(index, column).clone()));
@@ -410,12 +468,10 @@ impl Elaborator {
         if lines.iter().any(|line| line.len() != width) {
             let widths: Vec<String> = lines.iter().map(|line| line.len().to_string()).collect();
             return Err(shape(span, "the rows of a matrix have different lengths".into())
-                .with_label(format!("{} entries", widths.join(", "))));
+                .with_label(format!("lengths {}", widths.join(", ")))
+                .with_help("`,` stands between the entries of a row, `;` between rows"));
         }
-        if width > MOST_ROWS || lines.len() > MOST_ROWS {
-            let message = format!("a matrix may have {MOST_ROWS} rows and columns at most");
-            return Err(Diagnostic::new(DiagnosticKind::Budget, span.clone(), message));
-        }
+        check_sides(lines.len(), width, span)?;
         Ok(Matrix::from_fn(lines.len(), width, |row, column| lines[row][column].clone()))
     }
 
@@ -455,6 +511,7 @@ impl Elaborator {
             let message = "a small whole number is needed here";
             Diagnostic::new(DiagnosticKind::Arguments, expression.span.clone(), message)
                 .with_label(format!("not one of 0, 1, …, {MOST_ROWS}"))
+                .with_help("places, sizes, powers and orders are plain numbers, and not larger")
         })
     }
 
@@ -477,23 +534,50 @@ impl Elaborator {
 
     /// What a place replaces by what.
     pub fn substitution(&mut self, place: &Place, span: &Span) -> Result<Substitution, Diagnostic> {
-        let replacements: Vec<Replacement> = match place {
-            Place::Replacements(replacements) => replacements.clone(),
-            Place::Named(name) => match &self.scope.find(name, span)?.meaning {
-                Meaning::Substitution { replacements, conditions, .. } => {
-                    self.conditions.extend(conditions);
-                    replacements.clone()
-                }
-                _ => {
-                    let message = format!("`{name}` is not a substitution");
-                    return Err(Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
-                        .with_label("cannot be used behind `at`")
-                        .with_help(format!("declare `substitution {name}: … = …`")));
-                }
-            },
+        let name = match place {
+            Place::Replacements(replacements) => return self.read_replacements(replacements, span),
+            Place::Named(name) => name,
         };
+        let replacements = match self.scope.get(name).map(|entry| &entry.meaning) {
+            Some(Meaning::Substitution { replacements, conditions, .. }) => {
+                self.conditions.extend(conditions);
+                replacements.clone()
+            }
+            Some(_) => {
+                let message = format!("`{name}` is not a substitution");
+                return Err(Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
+                    .with_label("cannot be used behind `at`")
+                    .with_help("write `at (x = 0)`, or declare the replacements with `substitution`"));
+            }
+            None => {
+                let substitutions = self.scope.entries().filter(|entry| {
+                    matches!(entry.meaning, Meaning::Substitution { .. })
+                });
+                let names = substitutions.map(|entry| entry.name.unicode.as_str());
+                let help = match nearest(&name.unicode, names) {
+                    Some(near) => format!("did you mean `{near}`?"),
+                    None => format!("declare it with `substitution {name}: x = 0`"),
+                };
+                let message = format!("there is no substitution `{name}`");
+                return Err(Diagnostic::new(DiagnosticKind::UnknownName, span.clone(), message)
+                    .with_label("unknown name behind `at`")
+                    .with_help(help));
+            }
+        };
+        // The arguments of a call mean nothing where the substitution was declared.
+        self.arguments.push(BTreeMap::new());
+        let substitution = self.read_replacements(&replacements, span);
+        self.arguments.pop();
+        substitution
+    }
+
+    fn read_replacements(
+        &mut self,
+        replacements: &[Replacement],
+        span: &Span,
+    ) -> Result<Substitution, Diagnostic> {
         let mut substitution = Substitution::new();
-        for Replacement { target, value } in &replacements {
+        for Replacement { target, value } in replacements {
             let quantity = self.scalar(target)?;
             let symbol = self.symbol(&quantity, &target.span)?;
             let image = self.scalar(value)?;
@@ -506,10 +590,11 @@ impl Elaborator {
             if substitution.insert(symbol, image.value).is_some() {
                 let message = "this is replaced twice";
                 return Err(Diagnostic::new(DiagnosticKind::Duplicate, target.span.clone(), message)
-                    .with_label("replaced again"));
+                    .with_label("replaced again")
+                    .with_help("replace it once; replacements in one `at` are carried out together"));
             }
         }
-        self.respect_assumptions(&substitution, &replacements, span)?;
+        self.respect_assumptions(&substitution, replacements, span)?;
         Ok(substitution)
     }
 
@@ -550,6 +635,58 @@ impl Elaborator {
     }
 }
 
+/// Allows an expansion up to terms of this order.
+pub fn check_order(order: u32, span: &Span) -> Result<u32, Diagnostic> {
+    if order <= HIGHEST_ORDER {
+        return Ok(order);
+    }
+    let message = format!("expansions go up to order {HIGHEST_ORDER}");
+    Err(Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+        .with_label(format!("order {order}"))
+        .with_help("take coefficients of a polynomial with `coefficient(…)`"))
+}
+
+/// Allows a matrix of so many rows and columns.
+pub fn check_sides(rows: usize, columns: usize, span: &Span) -> Result<(), Diagnostic> {
+    if rows.max(columns) <= MOST_ROWS {
+        return Ok(());
+    }
+    let message = format!("a matrix may have {MOST_ROWS} rows and columns at most");
+    Err(Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+        .with_label(format!("this one would have {rows} rows and {columns} columns"))
+        .with_help("compute with blocks of it"))
+}
+
+/// Counts the minors that an expansion along the rows needs, leaving out entries that are 0; each
+/// counts as often as `weight` says.
+fn check_minors(matrix: &Value, weight: usize, span: &Span) -> Result<(), Diagnostic> {
+    let all = u64::MAX >> (u64::BITS as usize - matrix.columns().clamp(1, u64::BITS as usize));
+    let (mut level, mut count) = (BTreeSet::from([all]), 0);
+    for row in 0..matrix.rows() {
+        let mut next = BTreeSet::new();
+        for columns in level {
+            for column in (0..matrix.columns()).filter(|column| columns & (1 << column) != 0) {
+                if !matrix.at(row, column).value.is_zero() {
+                    next.insert(columns & !(1 << column));
+                }
+            }
+            if (count + next.len()) * weight > MOST_MINORS {
+                let (rows, columns) = matrix.shape();
+                let message = format!(
+                    "this is too large to compute: the determinants of this {rows}×{columns} matrix \
+                     need more than {MOST_MINORS} minors"
+                );
+                return Err(Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+                    .with_label("given up here")
+                    .with_help("break the matrix into blocks, or claim its determinant block by block"));
+            }
+        }
+        count += next.len();
+        level = next;
+    }
+    Ok(())
+}
+
 /// The identity matrix.
 pub fn identity(size: usize) -> Value {
     Matrix::from_fn(size, size, |row, column| {
@@ -583,6 +720,7 @@ pub fn argument_count(function: &Name, wanted: usize, given: usize, span: &Span)
     let message = if wanted == 1 { message.replace("arguments", "argument") } else { message };
     Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
         .with_label(format!("{given} given"))
+        .with_help("separate arguments by `,`; the entries of a vector stand in one pair of brackets")
 }
 
 /// What the algebra could not do, at a place of the document.
@@ -591,8 +729,8 @@ pub fn algebra(error: AlgebraError, span: &Span) -> Diagnostic {
         AlgebraError::DivisionByZero => (
             DiagnosticKind::DivisionByZero,
             "division by an expression that is identically 0".to_string(),
-            "this is 0",
-            "change the expression, or take the limit by hand and claim it",
+            "a divisor here is 0",
+            "change the expression or the replacement, or cancel what vanishes before it does",
         ),
         AlgebraError::Exhausted(limit) => (
             DiagnosticKind::Budget,
@@ -620,9 +758,9 @@ pub fn algebra(error: AlgebraError, span: &Span) -> Diagnostic {
         ),
         AlgebraError::UnknownSign => (
             DiagnosticKind::Unsupported,
-            "the sign of this root cannot be told".to_string(),
-            "a root is taken here",
-            "state the sign with `parameter … > 0` or `assume … > 0`",
+            "the sign below this root, or of the root, cannot be told".to_string(),
+            "a root of what may be negative, or of a square whose base may be",
+            "state a sign with `parameter … > 0` or `assume … > 0`; for √−1 declare `imaginary i`",
         ),
     };
     Diagnostic::new(kind, span.clone(), message).with_label(label).with_help(help)

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use crate::algebra::arithmetic::Arithmetic;
-use crate::algebra::determinant::{adjugate, determinant};
 use crate::algebra::differential::Differential;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::linear_system::{null_space, solve};
@@ -12,7 +11,9 @@ use crate::algebra::number::Rational;
 use crate::algebra::symbol::Symbol;
 
 use super::diagnostic::{Diagnostic, DiagnosticKind, nearest};
-use super::elaboration::{Elaborator, algebra, argument_count, identity, quantity, shape};
+use super::elaboration::{
+    Elaborator, algebra, argument_count, check_order, check_sides, identity, quantity, shape,
+};
 use super::quantity::{Quantities, Quantity, Value};
 use super::syntax::{Expression, Name, Span};
 use super::unit::Unit;
@@ -37,8 +38,11 @@ impl Elaborator {
         arguments: &[Expression],
         span: &Span,
     ) -> Result<Value, Diagnostic> {
-        if order > 0 {
-            self.scope.find(function, span)?;
+        if order > 0 && NAMES.contains(&function.ascii.as_str()) {
+            let message = format!("the built-in function `{function}` has no primes");
+            return Err(Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
+                .with_label("a prime asks for the derivative of a declared function")
+                .with_help("differentiate with `d(…, x)` or `dt(…)`"));
         }
         let wrong_count = |wanted| Err(argument_count(function, wanted, arguments.len(), span));
         match (function.ascii.as_str(), arguments) {
@@ -56,13 +60,11 @@ impl Elaborator {
             ("d", [value, variables]) => self.jacobian(value, variables, span),
             ("det", [matrix]) => {
                 let matrix = self.square(matrix)?;
-                let value = determinant(&matrix, &Quantities(&self.ring));
-                Ok(value.map_err(|error| quantity(error, span))?.scalar())
+                Ok(self.determinant(&matrix, span)?.scalar())
             }
             ("adjugate", [matrix]) => {
                 let matrix = self.square(matrix)?;
-                let value = adjugate(&matrix, &Quantities(&self.ring));
-                value.map_err(|error| quantity(error, span))
+                self.adjugate(&matrix, span)
             }
             ("inverse", [matrix]) => {
                 let value = self.square(matrix)?;
@@ -79,6 +81,7 @@ impl Elaborator {
                 Ok(trace.map_err(|error| quantity(error, span))?.scalar())
             }
             ("diagonal", [_, ..]) => {
+                check_sides(arguments.len(), arguments.len(), span)?;
                 let mut entries = Vec::new();
                 for argument in arguments {
                     entries.push(self.scalar(argument)?);
@@ -110,14 +113,14 @@ impl Elaborator {
                 let value = self.value(matrix)?;
                 let rows = self.places(rows, value.rows())?;
                 let columns = self.places(columns, value.columns())?;
+                check_sides(rows.len(), columns.len(), span)?;
                 Ok(value.select(&rows, &columns))
             }
             ("kernel", [matrix]) => self.kernel(matrix, span),
             ("solve", [matrix, right]) => self.solution(matrix, right, span),
             ("coefficient", [polynomial, variable, power]) => {
                 let power = self.natural(power)?;
-                let coefficients = self.coefficients(polynomial, variable)?;
-                let (variable, polynomial) = (self.scalar(variable)?, self.scalar(polynomial)?);
+                let (variable, polynomial, coefficients) = self.coefficients(polynomial, variable)?;
                 let per = variable.unit.unwrap_or_default().power(&Rational::from(-(power as i64)));
                 Ok(Quantity {
                     value: coefficients.get(&(power as u32)).cloned().unwrap_or(self.ring.zero()),
@@ -238,7 +241,8 @@ impl Elaborator {
             return Ok(value);
         }
         let (rows, columns) = value.shape();
-        Err(shape(&matrix.span, format!("a square matrix is needed, not {rows}×{columns}")))
+        Err(shape(&matrix.span, format!("a square matrix is needed, not {rows}×{columns}"))
+            .with_help("`submatrix(…)` takes rows and columns out of a matrix"))
     }
 
     fn positive(&mut self, expression: &Expression) -> Result<usize, Diagnostic> {
@@ -246,7 +250,8 @@ impl Elaborator {
         if number > 0 {
             return Ok(number);
         }
-        Err(shape(&expression.span, "a matrix has at least one row and one column".into()))
+        Err(shape(&expression.span, "a matrix has at least one row and one column".into())
+            .with_help("write 1 or more"))
     }
 
     /// A row or column, counted from 1 in the document and from 0 here.
@@ -256,7 +261,8 @@ impl Elaborator {
             return Ok(place - 1);
         }
         Err(shape(&expression.span, format!("there is no row or column {place}"))
-            .with_label(format!("not one of 1, …, {count}")))
+            .with_label(format!("not one of 1, …, {count}"))
+            .with_help("rows and columns count from 1"))
     }
 
     fn places(&mut self, list: &Expression, count: usize) -> Result<Vec<usize>, Diagnostic> {
@@ -278,7 +284,8 @@ impl Elaborator {
         if found.basis.is_empty() {
             let message = "only 0 is mapped to 0 by this matrix";
             return Err(Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
-                .with_label("has no null space"));
+                .with_label("has no null space")
+                .with_help("its determinant is not 0 for all values; take it `at` values where it is"));
         }
         Ok(Matrix::from_fn(value.columns(), found.basis.len(), |row, column| {
             found.basis[column].at(row, 0).clone()
@@ -294,18 +301,22 @@ impl Elaborator {
         let a = self.square(matrix)?;
         let b = self.value(right)?;
         if b.rows() != a.rows() {
-            return Err(shape(span, "the right side has not as many rows as the matrix".into()));
+            return Err(shape(span, "the right side has not as many rows as the matrix".into())
+                .with_label(format!("{} rows, not {}", b.rows(), a.rows()))
+                .with_help("the right side of n equations is a column with n entries"));
         }
+        self.adjugate(&a, span)?;
         let solved = solve(&a, &b, &Quantities(&self.ring)).map_err(|error| quantity(error, span))?;
         if solved.determinant.value.is_zero() {
             let message = "this linear system is singular: its determinant is identically 0";
             return Err(Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
-                .with_label("has no unique solution"));
+                .with_label("has no unique solution")
+                .with_help("leave out equations that follow from others, and look at `kernel(…)`"));
         }
         self.divide(&solved.numerators, &solved.determinant, span)
     }
 
-    /// The coefficients of a polynomial by the power of a variable.
+    /// A variable, a polynomial, and its coefficients by the power of the variable.
     ///
     /// # Errors
     ///
@@ -314,11 +325,12 @@ impl Elaborator {
         &mut self,
         polynomial: &Expression,
         variable: &Expression,
-    ) -> Result<BTreeMap<u32, Fraction>, Diagnostic> {
+    ) -> Result<(Quantity, Quantity, BTreeMap<u32, Fraction>), Diagnostic> {
         let quantity = self.scalar(variable)?;
         let symbol = self.symbol(&quantity, &variable.span)?;
-        let value = self.scalar(polynomial)?.value;
-        self.coefficients_of(&value, symbol, &polynomial.span)
+        let value = self.scalar(polynomial)?;
+        let coefficients = self.coefficients_of(&value.value, symbol, &polynomial.span)?;
+        Ok((quantity, value, coefficients))
     }
 
     /// The coefficients of an element that is a polynomial in a symbol.
@@ -343,7 +355,8 @@ impl Elaborator {
         }
         let message = "this is not a polynomial in the variable";
         Err(Diagnostic::new(DiagnosticKind::NotPolynomial, span.clone(), message)
-            .with_label("the variable stands below a line, under a root or in an angle"))
+            .with_label("the variable stands below a line, under a root or in an angle")
+            .with_help("multiply by what stands below the line, or expand it with `truncate(…)` first"))
     }
 
     /// The leading principal minor of size k of Hurwitz' matrix (a₁, a₃, …; a₀, a₂, …; 0, a₁, …) of
@@ -355,12 +368,12 @@ impl Elaborator {
         size: &Expression,
         span: &Span,
     ) -> Result<Value, Diagnostic> {
-        let coefficients = self.coefficients(polynomial, variable)?;
-        let (variable, polynomial) = (self.scalar(variable)?, self.scalar(polynomial)?);
+        let (variable, polynomial, coefficients) = self.coefficients(polynomial, variable)?;
         let degree = coefficients.keys().next_back().copied().unwrap_or(0);
         let size = self.positive(size)?;
         if size > degree as usize {
-            return Err(shape(span, format!("a polynomial of degree {degree} has no minor of size {size}")));
+            return Err(shape(span, format!("a polynomial of degree {degree} has no minor of size {size}"))
+                .with_help(format!("its Hurwitz matrix has the sizes 1, …, {degree}")));
         }
         let per = variable.unit.unwrap_or_default();
         let entry = |row: usize, column: usize| {
@@ -374,8 +387,7 @@ impl Elaborator {
             Quantity { unit: value.as_ref().and(unit), value: value.unwrap_or(self.ring.zero()) }
         };
         let matrix = Matrix::from_fn(size, size, entry);
-        let minor = determinant(&matrix, &Quantities(&self.ring));
-        Ok(minor.map_err(|error| quantity(error, span))?.scalar())
+        Ok(self.determinant(&matrix, span)?.scalar())
     }
 
     fn truncation(
@@ -385,7 +397,7 @@ impl Elaborator {
         order: &Expression,
         span: &Span,
     ) -> Result<Value, Diagnostic> {
-        let order = self.natural(order)? as u32;
+        let order = check_order(self.natural(order)? as u32, &order.span)?;
         let mut symbols = Vec::new();
         for entry in self.value(small)?.entries() {
             symbols.push(self.symbol(entry, &small.span)?);

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::algebra::arithmetic::{Arithmetic, Division};
+use crate::algebra::differential::Differential;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::linear_system::solve;
 use crate::algebra::matrix::Matrix;
@@ -99,6 +100,20 @@ struct Equations {
     neglected: Vec<(usize, u32, Fraction)>,
 }
 
+/// Requires that nothing is named twice.
+fn different(things: Vec<(String, Span)>) -> Result<(), Diagnostic> {
+    for (place, (thing, span)) in things.iter().enumerate() {
+        if let Some((_, earlier)) = things[..place].iter().find(|(known, _)| known == thing) {
+            let message = format!("`{thing}` is named twice");
+            return Err(Diagnostic::new(DiagnosticKind::Duplicate, span.clone(), message)
+                .with_label("the same again")
+                .with_secondary(earlier.clone(), "the first one")
+                .with_help("name it once"));
+        }
+    }
+    Ok(())
+}
+
 impl Elaborator {
     /// Carries out a matching and declares its solution as a substitution.
     ///
@@ -115,8 +130,22 @@ impl Elaborator {
         matching: &Matching,
         line: usize,
     ) -> Result<Matched, Diagnostic> {
+        let names = |names: &[Spanned<Name>]| {
+            names.iter().map(|name| (name.value.to_string(), name.span.clone())).collect()
+        };
+        different(names(&matching.unknowns))?;
+        different(names(&matching.small))?;
+        let power = |power: &Spanned<u32>| (format!("power {}", power.value), power.span.clone());
+        different(matching.powers.iter().map(power).collect())?;
         let variable = self.variable(&matching.variable)?;
         let unknowns = self.variables(&matching.unknowns)?;
+        if let Some(place) = unknowns.iter().position(|unknown| *unknown == variable) {
+            let message = "the variable of the polynomials cannot be one of the unknowns";
+            let span = matching.unknowns[place].span.clone();
+            return Err(Diagnostic::new(DiagnosticKind::Arguments, span, message)
+                .with_label("the variable")
+                .with_help("the unknowns are what the coefficients are solved for"));
+        }
         let small = self.variables(&matching.small)?;
         let exact = self.scalar(&matching.exact)?;
         let assumed = self.scalar(&matching.assumed)?;
@@ -350,6 +379,18 @@ impl Elaborator {
             row.push(self.ring.fraction(&slope, difference.denominator()).map_err(wrap)?);
         }
         let constant = self.ring.fraction(&rest, difference.denominator()).map_err(wrap)?;
+        // What is left may still contain unknowns under roots, in angles or in functions.
+        for (unknown, spanned) in unknowns.iter().zip(&matching.unknowns) {
+            let partial = Differential::partial(*unknown, &self.ring);
+            for part in row.iter().chain([&constant]) {
+                if !self.ring.differentiate(part, &partial).map_err(wrap)?.is_zero() {
+                    let message = format!("this coefficient is not linear in {}", spanned.value);
+                    return Err(Diagnostic::new(DiagnosticKind::NotLinear, span.clone(), message)
+                        .with_label("an unknown stands under a root, in an angle or in a function")
+                        .with_help("use another power"));
+                }
+            }
+        }
         Ok((row, constant.negative()))
     }
 
@@ -370,7 +411,9 @@ impl Elaborator {
         };
         if equations.rows.len() < count {
             let given = equations.rows.len();
-            return Err(singular(format!("{given} equations for {count} unknowns")));
+            let s = if given == 1 { "" } else { "s" };
+            return Err(singular(format!("{given} equation{s} for {count} unknowns"))
+                .with_help("name at least as many powers behind `at` as there are unknowns"));
         }
         let matrix = Matrix::from_fn(count, count, |row, column| equations.rows[row][column].clone());
         let right = Matrix::from_fn(count, 1, |row, _| equations.right[row].clone());
@@ -393,7 +436,7 @@ impl Elaborator {
                 let term = self.ring.product(slope, value).map_err(wrap)?;
                 left = self.ring.sum(&left, &term).map_err(wrap)?;
             }
-            if left != *right {
+            if !self.ring.difference(&left, right).map_err(wrap)?.is_zero() {
                 let message = "this coefficient contradicts the ones before it";
                 return Err(Diagnostic::new(DiagnosticKind::Inconsistent, power.span.clone(), message)
                     .with_label("not satisfied by the solution of the others")

@@ -15,6 +15,9 @@ use super::syntax::{BinaryOperator, Expression, Name, Node};
 /// Longer polynomials are not taken apart into factors.
 const MOST_TERMS_TO_FACTOR: usize = 400;
 
+/// Longer sums are written in groups of this many terms.
+const LONGEST_SUM: usize = 200;
+
 impl Expression {
     /// An expression that stands in no document.
     pub fn made(node: Node) -> Self {
@@ -114,21 +117,22 @@ impl Presenter<'_> {
     ///
     /// [`AlgebraError::Exhausted`]
     pub fn polynomial(&self, polynomial: &Polynomial) -> Result<Expression, AlgebraError> {
-        let mut sum: Option<Expression> = None;
+        let mut terms = Vec::new();
         for (monomial, coefficient) in polynomial.terms() {
             let negative = *coefficient < Integer::ZERO;
             let size = if negative { -coefficient } else { coefficient.clone() };
-            let factors = self.factors(monomial, size)?;
-            sum = Some(match (sum, negative) {
-                (None, false) => product(factors),
-                (None, true) => negative_product(factors),
-                (Some(sum), false) => Expression::binary(BinaryOperator::Add, sum, product(factors)),
-                (Some(sum), true) => {
-                    Expression::binary(BinaryOperator::Subtract, sum, product(factors))
-                }
-            });
+            terms.push((negative, self.factors(monomial, size)?));
         }
-        Ok(sum.unwrap_or_else(|| Expression::number(Rational::ZERO)))
+        // A long sum becomes a sum of sums: what walks through expressions is recursive.
+        while terms.len() > LONGEST_SUM {
+            let mut rest = terms.into_iter().peekable();
+            let mut parts = Vec::new();
+            while rest.peek().is_some() {
+                parts.push((false, vec![sum(rest.by_ref().take(LONGEST_SUM))]));
+            }
+            terms = parts;
+        }
+        Ok(sum(terms))
     }
 
     fn factors(&self, monomial: &Monomial, size: Integer) -> Result<Vec<Expression>, AlgebraError> {
@@ -193,6 +197,19 @@ impl Presenter<'_> {
             }
         })
     }
+}
+
+fn sum(terms: impl IntoIterator<Item = (bool, Vec<Expression>)>) -> Expression {
+    let mut sum: Option<Expression> = None;
+    for (negative, factors) in terms {
+        sum = Some(match (sum, negative) {
+            (None, false) => product(factors),
+            (None, true) => negative_product(factors),
+            (Some(sum), false) => Expression::binary(BinaryOperator::Add, sum, product(factors)),
+            (Some(sum), true) => Expression::binary(BinaryOperator::Subtract, sum, product(factors)),
+        });
+    }
+    sum.unwrap_or_else(|| Expression::number(Rational::ZERO))
 }
 
 fn raised(base: Expression, exponent: u64) -> Expression {

@@ -67,6 +67,16 @@ impl From<AlgebraError> for QuantityError {
 #[derive(Clone, Copy)]
 pub struct Quantities<'a>(pub &'a Ring);
 
+impl Quantities<'_> {
+    /// Takes steps for going over the terms of an element and keeping them, which costs more than
+    /// the products that they came from.
+    fn pay_for(&self, element: &Fraction) -> Result<(), AlgebraError> {
+        const STEPS_FOR_A_TERM: u64 = 20;
+        let terms = element.numerator().len() + element.denominator().len();
+        Ok(self.0.budget().spend(STEPS_FOR_A_TERM * terms as u64)?)
+    }
+}
+
 impl Arithmetic for Quantities<'_> {
     type Element = Quantity;
     type Error = QuantityError;
@@ -85,6 +95,8 @@ impl Arithmetic for Quantities<'_> {
 
     fn sum(&self, a: &Quantity, b: &Quantity) -> Result<Quantity, QuantityError> {
         let unit = common_unit(&a.unit, &b.unit)?;
+        self.pay_for(&a.value)?;
+        self.pay_for(&b.value)?;
         Ok(Quantity { value: self.0.sum(&a.value, &b.value)?, unit })
     }
 
@@ -94,7 +106,9 @@ impl Arithmetic for Quantities<'_> {
 
     fn product(&self, a: &Quantity, b: &Quantity) -> Result<Quantity, QuantityError> {
         let unit = a.unit.as_ref().zip(b.unit.as_ref()).map(|(a, b)| a.product(b));
-        Ok(Quantity { value: self.0.product(&a.value, &b.value)?, unit })
+        let value = self.0.product(&a.value, &b.value)?;
+        self.pay_for(&value)?;
+        Ok(Quantity { value, unit })
     }
 }
 

@@ -1,6 +1,6 @@
 //! What the names of a document mean.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::symbol::Symbol;
 
@@ -84,6 +84,15 @@ pub struct Entry {
     pub description: Option<String>,
     /// Where it was declared; nothing for a name that another document declares.
     pub span: Option<Span>,
+    /// The ASCII names of the symbols and functions that its value is made of, through other names.
+    rests_on: BTreeSet<String>,
+}
+
+impl Entry {
+    /// The ASCII names of the symbols and functions that its value is made of, through other names.
+    pub fn rests_on(&self) -> impl Iterator<Item = &str> {
+        self.rests_on.iter().map(String::as_str)
+    }
 }
 
 /// The names of a document; each has one meaning throughout.
@@ -111,7 +120,7 @@ impl Scope {
         };
         if super::function::NAMES.contains(&name.value.ascii.as_str()) {
             let message = format!("`{}` is the name of a built-in function", name.value);
-            return Err(duplicate(message));
+            return Err(duplicate(message).with_label("taken"));
         }
         if let Some(known) = self.entries.get(&name.value.ascii) {
             let diagnostic = duplicate(format!("`{}` has a meaning already", name.value));
@@ -120,14 +129,31 @@ impl Scope {
                 None => diagnostic,
             });
         }
-        let entry = Entry {
-            name: name.value.clone(),
-            meaning,
-            description,
-            span: Some(name.span.clone()),
-        };
+        let rests_on = self.rests_on(&name.value, &meaning);
+        let span = Some(name.span.clone());
+        let entry = Entry { name: name.value.clone(), meaning, description, span, rests_on };
         self.entries.insert(name.value.ascii.clone(), entry);
         Ok(())
+    }
+
+    fn rests_on(&self, name: &Name, meaning: &Meaning) -> BTreeSet<String> {
+        let mut names = BTreeSet::new();
+        let mut visit = |name: &Name| {
+            names.extend(self.get(name).into_iter().flat_map(Entry::rests_on).map(str::to_string));
+        };
+        match meaning {
+            Meaning::Symbol { .. } => {}
+            Meaning::Function { reference: expression, .. }
+            | Meaning::Definition { expression, .. }
+            | Meaning::Template { expression, .. } => expression.visit_names(&mut visit),
+            Meaning::Substitution { replacements, .. } => {
+                replacements.iter().for_each(|each| each.value.visit_names(&mut visit));
+            }
+        }
+        if let Meaning::Symbol { .. } | Meaning::Function { .. } = meaning {
+            names.insert(name.ascii.clone());
+        }
+        names
     }
 
     /// Forgets where names were declared, because what follows is another document.

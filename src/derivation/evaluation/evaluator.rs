@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::number::{Integer, Rational};
 use crate::algebra::sign::Signs;
-use crate::derivation::scope::{Meaning, Scope, SymbolKind};
+use crate::derivation::scope::{Entry, Meaning, Scope, SymbolKind};
 use crate::derivation::syntax::{BinaryOperator, Expression, Name, Node, Place, Replacement};
 
 use super::number::Number;
@@ -19,6 +19,12 @@ pub type Failure = String;
 /// The most nodes a polynomial is sampled at to find its coefficients.
 const MOST_NODES: i64 = 40;
 
+/// How deep the evaluation of expressions may be nested, definitions and calls included.
+const DEEPEST_NESTING: usize = 600;
+
+/// How many parts of expressions are evaluated at one point for one assertion.
+const MOST_PARTS: usize = 400_000;
+
 /// Evaluates the expressions of a document at one point.
 pub struct Evaluator<'a> {
     scope: &'a Scope,
@@ -26,18 +32,21 @@ pub struct Evaluator<'a> {
     surroundings: Vec<Surrounding<'a>>,
     frames: Vec<Frame<'a>>,
     nilpotents: u32,
-    known: BTreeMap<(usize, String), Table>,
+    /// The values of names, by surrounding and frame.
+    known: BTreeMap<(usize, usize, &'a str), Table>,
     replaced: BTreeMap<(usize, Key), Sample>,
-    lifted: BTreeMap<(usize, usize), usize>,
+    nesting: usize,
+    parts: usize,
 }
 
 /// How the values of symbols differ from those of the point, on top of another surrounding.
+#[derive(PartialEq)]
 struct Surrounding<'a> {
     parent: usize,
     change: Change<'a>,
 }
 
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 enum Change<'a> {
     None,
     /// Every coordinate moves with time: q + q̇ε.
@@ -64,6 +73,7 @@ enum Target<'a> {
 }
 
 /// The arguments of a call, by name, and the frame in which they are to be read.
+#[derive(PartialEq)]
 struct Frame<'a> {
     arguments: BTreeMap<&'a str, &'a Expression>,
     caller: usize,
@@ -86,7 +96,8 @@ impl<'a> Evaluator<'a> {
             nilpotents: 0,
             known: BTreeMap::new(),
             replaced: BTreeMap::new(),
-            lifted: BTreeMap::new(),
+            nesting: 0,
+            parts: 0,
         }
     }
 
@@ -101,7 +112,10 @@ impl<'a> Evaluator<'a> {
     ///
     /// The reason where it has none at this point.
     pub fn evaluate(&mut self, expression: &'a Expression) -> Result<Vec<Vec<Number>>, Failure> {
-        Ok(numbers(&self.table(expression, 0, 0)?))
+        self.begin();
+        let table = self.table(expression, 0, 0)?;
+        self.finish()?;
+        Ok(numbers(&table))
     }
 
     /// The parts of degree 0, 1, …, `order` of an expression in small symbols.
@@ -115,8 +129,11 @@ impl<'a> Evaluator<'a> {
         small: &[&str],
         order: u32,
     ) -> Result<Vec<Vec<Vec<Number>>>, Failure> {
+        self.begin();
         let keys = small.iter().map(|name| Key::Symbol((*name).to_string(), 0)).collect();
-        self.expansion(expression, keys, order, 0, 0)
+        let parts = self.expansion(expression, keys, order, 0, 0)?;
+        self.finish()?;
+        Ok(parts)
     }
 
     /// The coefficients of a polynomial at this point, lowest first.
@@ -129,11 +146,48 @@ impl<'a> Evaluator<'a> {
         polynomial: &'a Expression,
         variable: &str,
     ) -> Result<Vec<Number>, Failure> {
+        self.begin();
         let key = Key::Symbol(variable.to_string(), 0);
-        self.interpolation(polynomial, &key, 0, 0)
+        let coefficients = self.interpolation(polynomial, &key, 0, 0)?;
+        self.finish()?;
+        Ok(coefficients)
+    }
+
+    fn begin(&mut self) {
+        self.point.extension.refill();
+        (self.nesting, self.parts, self.nilpotents) = (0, 0, 0);
+    }
+
+    /// Fails where the numbers were given up; then products are wrong.
+    fn finish(&self) -> Result<(), Failure> {
+        if self.point.extension.is_exhausted() {
+            return Err("its numbers become too large".into());
+        }
+        Ok(())
     }
 
     fn table(
+        &mut self,
+        expression: &'a Expression,
+        surrounding: usize,
+        frame: usize,
+    ) -> Result<Table, Failure> {
+        self.parts += 1;
+        if self.nesting >= DEEPEST_NESTING {
+            return Err("definitions rest on each other too deeply".into());
+        }
+        if self.parts > MOST_PARTS {
+            return Err("it has too many parts".into());
+        }
+        self.nesting += 1;
+        let table = self.table_of_node(expression, surrounding, frame);
+        self.nesting -= 1;
+        // Nothing may be remembered of a computation that was given up.
+        self.finish()?;
+        table
+    }
+
+    fn table_of_node(
         &mut self,
         expression: &'a Expression,
         surrounding: usize,
@@ -222,10 +276,10 @@ impl<'a> Evaluator<'a> {
         small.ok_or("a small whole number is needed".into())
     }
 
-    /// A new surrounding on top of another.
+    /// The surrounding that a change makes of another; the same change makes the same surrounding, so
+    /// that what is known there is known once.
     fn within(&mut self, parent: usize, change: Change<'a>) -> usize {
-        self.surroundings.push(Surrounding { parent, change });
-        self.surroundings.len() - 1
+        index_of(&mut self.surroundings, Surrounding { parent, change })
     }
 
     fn nilpotent(&mut self) -> Result<Number, Failure> {
@@ -234,12 +288,64 @@ impl<'a> Evaluator<'a> {
         number.ok_or("derivatives are nested too deeply".into())
     }
 
-    fn named(&mut self, name: &Name, surrounding: usize, frame: usize) -> Result<Table, Failure> {
+    fn named(&mut self, name: &'a Name, surrounding: usize, frame: usize) -> Result<Table, Failure> {
         let argument = self.frames[frame].arguments.get(name.ascii.as_str()).copied();
-        if let Some(argument) = argument {
-            // Arguments are read in the caller's frame, but where the body stands.
-            return self.table(argument, surrounding, self.frames[frame].caller);
+        let place = (surrounding, if argument.is_some() { frame } else { 0 }, name.ascii.as_str());
+        if let Some(known) = self.known.get(&place) {
+            return Ok(known.clone());
         }
+        let table = match argument {
+            // Arguments are read in the caller's frame, but where the body stands.
+            Some(argument) => self.table(argument, surrounding, self.frames[frame].caller)?,
+            None => {
+                let mut names = BTreeSet::new();
+                names.extend(self.scope.get(name).into_iter().flat_map(Entry::rests_on));
+                match self.felt(&mut names, surrounding) {
+                    felt if felt == surrounding => self.declared(name, surrounding)?,
+                    felt => self.named(name, felt, 0)?,
+                }
+            }
+        };
+        self.known.insert(place, table.clone());
+        Ok(table)
+    }
+
+    /// The surrounding with only those changes that some names feel, which become the names that these
+    /// rest on in what is left.
+    fn felt(&mut self, names: &mut BTreeSet<&'a str>, surrounding: usize) -> usize {
+        let Surrounding { parent, change } = &self.surroundings[surrounding];
+        let (parent, feels) = (*parent, |key: &Key| names.contains(key.name()));
+        let felt = match change {
+            Change::None => return surrounding,
+            Change::Time(_) => names.iter().any(|name| self.is_coordinate(name)),
+            Change::Shift(key, _) | Change::Set(key, _) => feels(key),
+            Change::Scale(keys, _) => keys.iter().any(feels),
+            Change::Replace { symbols, functions, frame } => {
+                let symbols = symbols.iter().filter(|(key, _)| feels(key)).map(|(_, value)| *value);
+                let functions = functions.iter().filter(|(name, ..)| names.contains(&*name.ascii));
+                let values: Vec<&Expression> =
+                    symbols.chain(functions.map(|(_, _, value)| *value)).collect();
+                if *frame > 0 && !values.is_empty() {
+                    // The values may mention arguments.
+                    return surrounding;
+                }
+                let scope = self.scope;
+                for value in &values {
+                    value.visit_names(&mut |name| {
+                        names.extend(scope.get(name).into_iter().flat_map(Entry::rests_on));
+                    });
+                }
+                !values.is_empty()
+            }
+        };
+        match self.felt(names, parent) {
+            below if !felt => below,
+            below if below == parent => surrounding,
+            below => self.within(below, self.surroundings[surrounding].change.clone()),
+        }
+    }
+
+    fn declared(&mut self, name: &'a Name, surrounding: usize) -> Result<Table, Failure> {
         let scope = self.scope;
         match &scope.get(name).ok_or(format!("{name} is not known"))?.meaning {
             Meaning::Symbol { .. } => {
@@ -249,15 +355,7 @@ impl<'a> Evaluator<'a> {
             Meaning::Function { reference, .. } => {
                 self.function(name, 0, reference, surrounding, 0)
             }
-            Meaning::Definition { expression, .. } => {
-                let key = (surrounding, name.ascii.clone());
-                if let Some(known) = self.known.get(&key) {
-                    return Ok(known.clone());
-                }
-                let table = self.table(expression, surrounding, 0)?;
-                self.known.insert(key, table.clone());
-                Ok(table)
-            }
+            Meaning::Definition { expression, .. } => self.table(expression, surrounding, 0),
             _ => Err(format!("{name} is no value")),
         }
     }
@@ -357,7 +455,7 @@ impl<'a> Evaluator<'a> {
         };
         let (mut symbols, mut functions) = (BTreeMap::new(), Vec::new());
         for Replacement { target, value } in replacements {
-            match self.target(target)? {
+            match self.target(target, frame)? {
                 Target::Symbol(key) => {
                     symbols.insert(key, value);
                 }
@@ -369,20 +467,23 @@ impl<'a> Evaluator<'a> {
 
     /// What can be replaced or differentiated by: a symbol, or the value of a function at its
     /// reference argument.
-    fn target(&self, target: &'a Expression) -> Result<Target<'a>, Failure> {
+    fn target(&self, target: &'a Expression, frame: usize) -> Result<Target<'a>, Failure> {
         let scope = self.scope;
+        if let Some((argument, caller)) = self.argument(target, frame) {
+            return self.target(argument, caller);
+        }
         match &target.node {
             Node::Name(name) => match scope.get(name).map(|entry| &entry.meaning) {
                 Some(Meaning::Symbol { .. }) => {
                     Ok(Target::Symbol(Key::Symbol(name.ascii.clone(), 0)))
                 }
                 Some(Meaning::Function { .. }) => Ok(Target::Function(name, 0)),
-                Some(Meaning::Definition { expression, .. }) => self.target(expression),
+                Some(Meaning::Definition { expression, .. }) => self.target(expression, 0),
                 _ => Err(format!("{name} is no variable")),
             },
             Node::Derivative(name, order) => Ok(Target::Function(name, *order)),
             Node::Call { function, arguments, .. } if function.ascii == "dt" => {
-                match arguments.first().map(|inner| self.target(inner)).transpose()? {
+                match arguments.first().map(|inner| self.target(inner, frame)).transpose()? {
                     Some(Target::Symbol(Key::Symbol(name, order))) => {
                         Ok(Target::Symbol(Key::Symbol(name, order + 1)))
                     }
@@ -393,9 +494,21 @@ impl<'a> Evaluator<'a> {
         }
     }
 
+    /// What an argument of the frame's call stands for, and the frame in which that is read.
+    fn argument(&self, name: &Expression, frame: usize) -> Option<(&'a Expression, usize)> {
+        let Node::Name(name) = &name.node else { return None };
+        let Frame { arguments, caller } = &self.frames[frame];
+        arguments.get(name.ascii.as_str()).map(|argument| (*argument, *caller))
+    }
+
     /// The key of something that is differentiated by.
-    fn key(&mut self, target: &'a Expression, surrounding: usize) -> Result<Key, Failure> {
-        match self.target(target)? {
+    fn key(
+        &mut self,
+        target: &'a Expression,
+        surrounding: usize,
+        frame: usize,
+    ) -> Result<Key, Failure> {
+        match self.target(target, frame)? {
             Target::Symbol(key) => Ok(key),
             Target::Function(name, order) => {
                 self.function_key(name, order, self.reference(name)?, surrounding, 0)
@@ -408,17 +521,27 @@ impl<'a> Evaluator<'a> {
         &mut self,
         variables: &'a Expression,
         surrounding: usize,
+        frame: usize,
     ) -> Result<Vec<Key>, Failure> {
         let scope = self.scope;
+        if let Some((argument, caller)) = self.argument(variables, frame) {
+            return self.keys(argument, surrounding, caller);
+        }
         match &variables.node {
             Node::Matrix(rows) => {
-                rows.iter().flatten().map(|entry| self.key(entry, surrounding)).collect()
+                let mut keys = Vec::new();
+                for entry in rows.iter().flatten() {
+                    keys.extend(self.keys(entry, surrounding, frame)?);
+                }
+                Ok(keys)
             }
             Node::Name(name) => match scope.get(name).map(|entry| &entry.meaning) {
-                Some(Meaning::Definition { expression, .. }) => self.keys(expression, surrounding),
-                _ => Ok(vec![self.key(variables, surrounding)?]),
+                Some(Meaning::Definition { expression, .. }) => {
+                    self.keys(expression, surrounding, 0)
+                }
+                _ => Ok(vec![self.key(variables, surrounding, frame)?]),
             },
-            _ => Ok(vec![self.key(variables, surrounding)?]),
+            _ => Ok(vec![self.key(variables, surrounding, frame)?]),
         }
     }
 
@@ -432,7 +555,7 @@ impl<'a> Evaluator<'a> {
         frame: usize,
     ) -> Result<Table, Failure> {
         let sample = self.scalar(argument, surrounding, frame)?;
-        let step = sample.number.difference(&sample.number.base());
+        let step = sample.number.step();
         let (mut sum, mut power, mut order) = (Number::default(), Number::from(1), order);
         let mut j = 1;
         while !power.is_zero() {
@@ -499,14 +622,9 @@ impl<'a> Evaluator<'a> {
         if surrounding == level {
             return parent;
         }
-        if let Some(known) = self.lifted.get(&(surrounding, level)) {
-            return *known;
-        }
         let parent = self.lift(parent, level);
         let change = self.surroundings[surrounding].change.clone();
-        let lifted = self.within(parent, change);
-        self.lifted.insert((surrounding, level), lifted);
-        lifted
+        self.within(parent, change)
     }
 
     /// Where the bare name of a function is taken.
@@ -642,8 +760,7 @@ impl<'a> Evaluator<'a> {
             (Some(Meaning::Template { arguments: names, expression }), _) => {
                 let names = names.iter().map(|name| name.ascii.as_str());
                 let arguments = names.zip(arguments).collect();
-                self.frames.push(Frame { arguments, caller: frame });
-                let inside = self.frames.len() - 1;
+                let inside = index_of(&mut self.frames, Frame { arguments, caller: frame });
                 self.table(expression, surrounding, inside)
             }
             (Some(_), _) => Err(format!("{function} is no function")),
@@ -753,13 +870,13 @@ impl<'a> Evaluator<'a> {
             }
             ("coefficient", [polynomial, variable, power]) => {
                 let power = self.natural(power, surrounding, frame)?;
-                let key = self.key(variable, surrounding)?;
+                let key = self.key(variable, surrounding, frame)?;
                 let coefficients = self.interpolation(polynomial, &key, surrounding, frame)?;
                 Ok(single(coefficients.get(power).cloned().unwrap_or_default()))
             }
             ("hurwitz", [polynomial, variable, size]) => {
                 let size = self.natural(size, surrounding, frame)?;
-                let key = self.key(variable, surrounding)?;
+                let key = self.key(variable, surrounding, frame)?;
                 let coefficients = self.interpolation(polynomial, &key, surrounding, frame)?;
                 let degree = coefficients.len() - 1;
                 let entry = |row: usize, column: usize| {
@@ -772,7 +889,7 @@ impl<'a> Evaluator<'a> {
             }
             ("truncate", [value, small, order]) => {
                 let order = self.natural(order, surrounding, frame)? as u32;
-                let keys = self.keys(small, surrounding)?.into_iter().collect();
+                let keys = self.keys(small, surrounding, frame)?.into_iter().collect();
                 let parts = self.expansion(value, keys, order, surrounding, frame)?;
                 let sum = parts.into_iter().reduce(|sum, part| {
                     let rows = sum.iter().zip(&part);
@@ -803,7 +920,7 @@ impl<'a> Evaluator<'a> {
     fn circular(&mut self, angle: &Sample) -> Result<(Number, Number), Failure> {
         let tag = angle.angle.as_ref().ok_or("the sine of what is no angle")?;
         let (cosine, sine) = self.point.circle_of(tag).ok_or("too large a multiple of an angle")?;
-        let step = angle.number.difference(&angle.number.base());
+        let step = angle.number.step();
         let extension = &self.point.extension;
         let (mut even, mut odd) = (Number::from(1), Number::default());
         let mut power = step.clone();
@@ -888,7 +1005,7 @@ impl<'a> Evaluator<'a> {
         frame: usize,
     ) -> Result<Table, Failure> {
         let mut columns: Vec<Vec<Number>> = Vec::new();
-        for key in self.keys(variables, surrounding)? {
+        for key in self.keys(variables, surrounding, frame)? {
             let index = self.nilpotents;
             let step = self.nilpotent()?;
             let inside = self.within(surrounding, Change::Shift(key, step));
@@ -935,7 +1052,7 @@ impl<'a> Evaluator<'a> {
         Ok(parts)
     }
 
-    /// The coefficients of a polynomial from its values at 1, 2, 3, …, by Newton's divided
+    /// The coefficients of a polynomial from its values at a, a + 1, a + 2, …, by Newton's divided
     /// differences, until three more values change nothing.
     fn interpolation(
         &mut self,
@@ -946,8 +1063,11 @@ impl<'a> Evaluator<'a> {
     ) -> Result<Vec<Number>, Failure> {
         let mut differences: Vec<Number> = Vec::new();
         let mut newton: Vec<Number> = Vec::new();
-        for node in 1..=MOST_NODES {
-            let inside = self.within(surrounding, Change::Set(key.clone(), Number::from(node)));
+        // The nodes begin where no document's polynomial is likely to have its zeros.
+        let first = self.point.first_node();
+        for node in 0..MOST_NODES {
+            let place = Number::from(first + node);
+            let inside = self.within(surrounding, Change::Set(key.clone(), place));
             // f[xₙ₋ⱼ, …, xₙ] = (f[xₙ₋ⱼ₊₁, …, xₙ] − f[xₙ₋ⱼ, …, xₙ₋₁])/j
             let mut current = vec![self.scalar(polynomial, inside, frame)?.number];
             for (j, previous) in (1..).zip(&differences) {
@@ -957,18 +1077,18 @@ impl<'a> Evaluator<'a> {
             newton.extend(current.last().cloned());
             differences = current;
             if newton.len() > 3 && newton.iter().rev().take(3).all(Number::is_zero) {
-                return Ok(expand_newton(&newton));
+                return Ok(expand_newton(&newton, first));
             }
         }
         Err("no polynomial of a degree below 40".into())
     }
 }
 
-/// Σ cₖ (λ − 1)(λ − 2)…(λ − k) by powers of λ, by Horner's rule.
-fn expand_newton(newton: &[Number]) -> Vec<Number> {
+/// Σ cₖ (λ − a)(λ − a − 1)…(λ − a − k + 1) by powers of λ, by Horner's rule.
+fn expand_newton(newton: &[Number], first: i64) -> Vec<Number> {
     let mut coefficients: Vec<Number> = Vec::new();
     for (index, leading) in newton.iter().enumerate().rev() {
-        let node = index as i64 + 1;
+        let node = index as i64 + first;
         // p ← p·(λ − node) + c
         let mut next = vec![Number::default(); coefficients.len() + 1];
         for (power, coefficient) in coefficients.iter().enumerate() {
@@ -982,6 +1102,14 @@ fn expand_newton(newton: &[Number]) -> Vec<Number> {
         coefficients.pop();
     }
     coefficients
+}
+
+/// Where an item stands in a list, which it joins if it is new.
+fn index_of<T: PartialEq>(list: &mut Vec<T>, item: T) -> usize {
+    list.iter().position(|known| *known == item).unwrap_or_else(|| {
+        list.push(item);
+        list.len() - 1
+    })
 }
 
 fn argument_of(sample: &Sample) -> Argument {

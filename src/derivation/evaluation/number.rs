@@ -1,6 +1,10 @@
 //! Rational numbers extended by elements with a given rational square.
 
-use std::collections::BTreeMap;
+use std::cell::Cell;
+
+use smallvec::{SmallVec, smallvec};
+
+use dashu_base::BitTest;
 
 use crate::algebra::number::Rational;
 
@@ -16,14 +20,22 @@ const MOST_ROOTS: usize = (u32::BITS - NILPOTENTS) as usize;
 /// Σ qₛ eₛ over sets S of adjoined elements, eₛ being their product; no qₛ is 0.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Number {
-    parts: BTreeMap<u32, Rational>,
+    /// By increasing set. Most numbers are rational: they have one part.
+    parts: SmallVec<[(u32, Rational); 1]>,
 }
 
 /// The adjoined roots, by their squares.
 #[derive(Clone, Debug, Default)]
 pub struct Extension {
     squares: Vec<Rational>,
+    work: Cell<u64>,
 }
+
+/// How much work may be done between two calls of [`Extension::refill`]: products of machine words.
+const MOST_WORK: u64 = 20_000_000;
+
+/// The most machine words of a rational number.
+const LONGEST: u64 = 20_000;
 
 impl From<Rational> for Number {
     fn from(value: Rational) -> Self {
@@ -39,8 +51,27 @@ impl From<i64> for Number {
 
 impl Number {
     fn part(set: u32, value: Rational) -> Self {
-        let parts = if value.is_zero() { BTreeMap::new() } else { BTreeMap::from([(set, value)]) };
+        Number { parts: if value.is_zero() { SmallVec::new() } else { smallvec![(set, value)] } }
+    }
+
+    /// The sum of parts in any order.
+    fn collect(parts: impl Iterator<Item = (u32, Rational)>) -> Self {
+        let mut parts: SmallVec<[(u32, Rational); 1]> = parts.collect();
+        parts.sort_by_key(|(set, _)| *set);
+        parts.dedup_by(|(set, value), (kept, sum)| {
+            let same = set == kept;
+            if same {
+                *sum += &*value;
+            }
+            same
+        });
+        parts.retain(|(_, value)| !value.is_zero());
         Number { parts }
+    }
+
+    /// The parts whose sets are wanted.
+    fn select(&self, wanted: impl Fn(u32) -> bool) -> Self {
+        Number { parts: self.parts.iter().filter(|(set, _)| wanted(*set)).cloned().collect() }
     }
 
     /// The nilpotent element of an index, if there are so many.
@@ -55,41 +86,45 @@ impl Number {
 
     /// The rational number this is, if it is one.
     pub fn as_rational(&self) -> Option<Rational> {
-        match self.parts.len() {
-            0 => Some(Rational::ZERO),
-            1 => self.parts.get(&0).cloned(),
+        match &self.parts[..] {
+            [] => Some(Rational::ZERO),
+            [(0, value)] => Some(value.clone()),
             _ => None,
         }
     }
 
     /// What is left when every nilpotent element becomes 0.
     pub fn base(&self) -> Self {
-        let parts = self.parts.iter().filter(|(set, _)| *set & NILPOTENT == 0);
-        Number { parts: parts.map(|(set, value)| (*set, value.clone())).collect() }
+        self.select(|set| set & NILPOTENT == 0)
+    }
+
+    /// What vanishes when every nilpotent element becomes 0.
+    pub fn step(&self) -> Self {
+        self.select(|set| set & NILPOTENT != 0)
     }
 
     /// The coefficient of the product of the nilpotent elements with the given indices.
     pub fn coefficient(&self, indices: std::ops::Range<u32>) -> Self {
         let wanted = indices.fold(0, |set, index| set | 1 << index);
-        let parts = self.parts.iter().filter(|(set, _)| *set & wanted == wanted);
-        Number { parts: parts.map(|(set, value)| (set & !wanted, value.clone())).collect() }
+        let mut coefficient = self.select(|set| set & wanted == wanted);
+        coefficient.parts.iter_mut().for_each(|(set, _)| *set &= !wanted);
+        coefficient
     }
 
     /// The terms free of the nilpotent elements with the given indices.
     pub fn without(&self, indices: std::ops::Range<u32>) -> Self {
         let unwanted = indices.fold(0, |set, index| set | 1 << index);
-        let parts = self.parts.iter().filter(|(set, _)| *set & unwanted == 0);
-        Number { parts: parts.map(|(set, value)| (*set, value.clone())).collect() }
+        self.select(|set| set & unwanted == 0)
     }
 
     /// a + b
     pub fn sum(&self, other: &Self) -> Self {
-        let mut parts = self.parts.clone();
-        for (set, value) in &other.parts {
-            *parts.entry(*set).or_default() += value;
+        match (&self.parts[..], &other.parts[..]) {
+            (_, []) => self.clone(),
+            ([], _) => other.clone(),
+            ([(set, a)], [(other, b)]) if set == other => Number::part(*set, a + b),
+            (a, b) => Number::collect(a.iter().chain(b).cloned()),
         }
-        parts.retain(|_, value| !value.is_zero());
-        Number { parts }
     }
 
     /// −a
@@ -135,27 +170,42 @@ impl Number {
     }
 }
 
+/// The machine words of a number's parts.
+fn words(number: &Number) -> u64 {
+    let of = |value: &Rational| (value.numerator().bit_len() + value.denominator().bit_len()) / 64 + 1;
+    number.parts.iter().map(|(_, value)| of(value)).sum::<usize>() as u64
+}
+
 impl Extension {
-    /// a·b
+    /// Allows more work.
+    pub fn refill(&mut self) {
+        self.work.set(0);
+    }
+
+    /// Whether too much work was asked for; products were left out then.
+    pub fn is_exhausted(&self) -> bool {
+        self.work.get() > MOST_WORK
+    }
+
+    /// a·b; 0 where that is too much work, see [`Extension::is_exhausted`].
     pub fn product(&self, a: &Number, b: &Number) -> Number {
-        let mut parts: BTreeMap<u32, Rational> = BTreeMap::new();
-        for (left, x) in &a.parts {
-            for (right, y) in &b.parts {
-                let twice = left & right;
-                if twice & NILPOTENT != 0 {
-                    continue;
-                }
-                let mut value = x * y;
-                for (index, square) in self.squares.iter().enumerate() {
-                    if twice & (1 << (NILPOTENTS + index as u32)) != 0 {
-                        value *= square;
-                    }
-                }
-                *parts.entry(left ^ right).or_default() += value;
-            }
+        let (left, right) = (words(a), words(b));
+        let work = if left.max(right) > LONGEST { u64::MAX } else { left * right };
+        self.work.set(self.work.get().saturating_add(work));
+        if self.is_exhausted() {
+            return Number::default();
         }
-        parts.retain(|_, value| !value.is_zero());
-        Number { parts }
+        let pairs = a.parts.iter().flat_map(|left| b.parts.iter().map(move |right| (left, right)));
+        let products = pairs.filter_map(|((left, x), (right, y))| {
+            let twice = left & right;
+            if twice & NILPOTENT != 0 {
+                return None;
+            }
+            let squares = self.squares.iter().enumerate();
+            let squares = squares.filter(|(index, _)| twice & 1 << (NILPOTENTS + *index as u32) != 0);
+            Some((left ^ right, squares.fold(x * y, |value, (_, square)| value * square)))
+        });
+        Number::collect(products)
     }
 
     /// aⁿ
@@ -177,7 +227,7 @@ impl Extension {
     pub fn inverse(&self, a: &Number) -> Option<Number> {
         let base = self.inverse_of_base(&a.base())?;
         // 1/(b + n) = (1/b) Σ (−n/b)ᵏ, a finite sum.
-        let step = self.product(&a.base().difference(a), &base);
+        let step = self.product(&a.step().negative(), &base);
         let (mut sum, mut power) = (Number::from(1), step.clone());
         while !power.is_zero() {
             sum = sum.sum(&power);
@@ -191,10 +241,10 @@ impl Extension {
         let (mut below, mut above) = (a.clone(), Number::from(1));
         for index in 0..self.squares.len() as u32 {
             let root = 1 << (NILPOTENTS + index);
-            if below.parts.keys().any(|set| set & root != 0) {
+            if below.parts.iter().any(|(set, _)| set & root != 0) {
                 let mut conjugate = below.clone();
                 for (set, value) in &mut conjugate.parts {
-                    if set & root != 0 {
+                    if *set & root != 0 {
                         *value *= -Rational::ONE;
                     }
                 }
@@ -215,7 +265,7 @@ impl Extension {
         let square = a.base().as_rational().filter(|square| !square.is_zero())?;
         let root = self.rational_root(&square)?;
         // √(b + n) = √b Σ binomial(1/2, k) (n/b)ᵏ, a finite sum.
-        let step = a.difference(&a.base()).scale(&(Rational::ONE / &square));
+        let step = a.step().scale(&(Rational::ONE / &square));
         let (mut sum, mut power, mut coefficient) = (Number::from(1), step.clone(), Rational::ONE);
         let mut k = 1;
         while !power.is_zero() {
@@ -235,17 +285,26 @@ impl Extension {
         self.adjoin(square.clone())
     }
 
-    /// The element with the given square, adjoined if it is not there yet and there is room.
+    /// The element with the given square that is not negative (or i, for −1): a rational multiple of a
+    /// product of those that are there, if it is one, else a new one, if there is room.
     pub fn adjoin(&mut self, square: Rational) -> Option<Number> {
-        let known = self.squares.iter().position(|known| *known == square);
-        let index = known.unwrap_or(self.squares.len());
-        if index >= MOST_ROOTS {
-            return None;
+        let known = self.squares.len();
+        if let Some(index) = self.squares.iter().position(|known| *known == square) {
+            return Some(Number::part(1 << (NILPOTENTS + index as u32), Rational::ONE));
         }
-        if known.is_none() {
+        for set in 1..1_u32 << known {
+            let chosen = (0..known).filter(|index| set & 1 << index != 0);
+            let product = chosen.fold(Rational::ONE, |product, index| product * &self.squares[index]);
+            if product > Rational::ZERO
+                && let Some(root) = exact_root(&(&product * &square))
+            {
+                return Some(Number::part(set << NILPOTENTS, root / product));
+            }
+        }
+        (known < MOST_ROOTS).then(|| {
             self.squares.push(square);
-        }
-        Some(Number::part(1 << (NILPOTENTS + index as u32), Rational::ONE))
+            Number::part(1 << (NILPOTENTS + known as u32), Rational::ONE)
+        })
     }
 }
 

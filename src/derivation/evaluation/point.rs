@@ -16,6 +16,15 @@ pub enum Key {
     Function(String, u32, Argument),
 }
 
+impl Key {
+    /// The ASCII name.
+    pub fn name(&self) -> &str {
+        match self {
+            Key::Symbol(name, _) | Key::Function(name, ..) => name,
+        }
+    }
+}
+
 /// The argument of a function known only through its derivatives.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Argument {
@@ -99,6 +108,11 @@ impl Point {
             }
         };
         Number::from(self.draw(&name, signs.unwrap_or(Signs::ANY)))
+    }
+
+    /// A whole number that depends on the seed alone.
+    pub fn first_node(&self) -> i64 {
+        100 + (mix(self.seed) % 900) as i64
     }
 
     /// (cos, sin) of an atom.

@@ -1,7 +1,12 @@
 //! Matrices of numbers, for evaluation only.
 
+use std::collections::BTreeMap;
+
 use super::number::{Extension, Number};
 use super::point::Tag;
+
+/// Determinants of larger matrices are not expanded first.
+const MOST_ROWS_TO_EXPAND: usize = 6;
 
 /// A number, and the sum of angles that it is the measure of (at the point itself, nilpotent
 /// elements aside) where it is one.
@@ -79,18 +84,39 @@ pub fn eliminate(
     Some((determinant, rows.into_iter().map(|row| row[size..].to_vec()).collect()))
 }
 
-/// |A| by elimination, and by expansion along the first row where elimination finds no pivot.
+/// |A| by expansion along the rows, each minor of the last rows computed once; of large matrices by
+/// elimination, if it finds its pivots.
 pub fn determinant(matrix: &[Vec<Number>], extension: &Extension) -> Number {
-    let nothing: Vec<Vec<Number>> = vec![Vec::new(); matrix.len()];
-    if let Some((determinant, _)) = eliminate(matrix, &nothing, extension) {
-        return determinant;
+    if matrix.len() > MOST_ROWS_TO_EXPAND {
+        let nothing: Vec<Vec<Number>> = vec![Vec::new(); matrix.len()];
+        if let Some((determinant, _)) = eliminate(matrix, &nothing, extension) {
+            return determinant;
+        }
     }
+    minor(matrix, &(0..matrix.len()).collect::<Vec<_>>(), extension, &mut BTreeMap::new())
+}
+
+/// The minor of the last rows and as many columns.
+fn minor(
+    matrix: &[Vec<Number>],
+    columns: &[usize],
+    extension: &Extension,
+    known: &mut BTreeMap<Vec<usize>, Number>,
+) -> Number {
+    if columns.is_empty() {
+        return Number::from(1);
+    }
+    if let Some(known) = known.get(columns) {
+        return known.clone();
+    }
+    let row = &matrix[matrix.len() - columns.len()];
     let mut sum = Number::default();
-    for (column, entry) in matrix[0].iter().enumerate() {
-        let minor = determinant(&without(matrix, 0, column), extension);
-        let term = extension.product(entry, &minor);
-        sum = if column % 2 == 0 { sum.sum(&term) } else { sum.difference(&term) };
+    for (place, column) in columns.iter().enumerate().filter(|(_, column)| !row[**column].is_zero()) {
+        let others = [&columns[..place], &columns[place + 1..]].concat();
+        let term = extension.product(&row[*column], &minor(matrix, &others, extension, known));
+        sum = if place % 2 == 0 { sum.sum(&term) } else { sum.difference(&term) };
     }
+    known.insert(columns.to_vec(), sum.clone());
     sum
 }
 

@@ -2,6 +2,13 @@
 
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
+/// What stands between two sides.
+const RELATIONS: [&str; 8] = ["= ", "== ", "< ", "<= ", "> ", ">= ", "≤ ", "≥ "];
+/// What stands between the terms of a sum, or behind it.
+const SUMS: [&str; 4] = ["+ ", "− ", "- ", "at "];
+/// What stands between the factors of a product.
+const PRODUCTS: [&str; 2] = ["·", "/("];
+
 /// Breaks an expression into lines of so many columns: before the operator that binds loosest, if that
 /// does not leave most of the line empty.
 pub fn lines(text: &str, width: usize) -> Vec<String> {
@@ -67,17 +74,19 @@ fn strength(before: &str, after: &str, depth: usize) -> Option<usize> {
         return None;
     }
     let is_behind_space = trimmed.len() < before.len();
-    let operators = [
-        "+ ", "− ", "- ", "= ", "== ", "< ", "<= ", "> ", ">= ", "≤ ", "≥ ", "at ",
-    ];
     let begins_with = |signs: &[&str]| signs.iter().any(|sign| after.starts_with(sign));
-    if is_behind_space && (trimmed.ends_with([',', ';']) || begins_with(&operators)) {
-        Some(2 * depth)
-    } else if begins_with(&["·", "/("]) {
-        Some(2 * depth + 1)
+    let within = if is_behind_space && (trimmed.ends_with(';') || begins_with(&RELATIONS)) {
+        0
+    } else if is_behind_space && trimmed.ends_with(',') {
+        1
+    } else if is_behind_space && begins_with(&SUMS) {
+        2
+    } else if begins_with(&PRODUCTS) {
+        3
     } else {
-        None
-    }
+        return None;
+    };
+    Some(4 * depth + within)
 }
 
 #[cfg(test)]

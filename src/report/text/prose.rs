@@ -1,30 +1,33 @@
 //! Filling lines with words.
 
 use super::expression;
-use super::run::{Run, width as width_of};
+use super::run::{Run, spaces, width as width_of};
 
 /// Breaks runs at their spaces into lines of so many columns, with the codes of their styles.
 pub fn lines(runs: &[Run], width: usize) -> Vec<String> {
-    let mut lines = Vec::new();
-    let mut line = String::new();
-    let mut filled = 0;
+    let mut lines: Vec<Vec<Run>> = Vec::new();
     for word in words(runs, width) {
-        let length = width_of(&word);
-        if filled > 0 && filled + 1 + length > width {
-            lines.push(std::mem::take(&mut line));
-            filled = 0;
+        match lines.last_mut() {
+            Some(line) if width_of(line) + 1 + width_of(&word) <= width => append(line, word),
+            _ => lines.push(word),
         }
-        if filled > 0 {
-            line.push(' ');
-            filled += 1;
+    }
+    let styled = |line: Vec<Run>| line.iter().map(Run::styled).collect();
+    lines.into_iter().map(styled).collect()
+}
+
+/// Adds a word to a line; a style goes on over the space between two words that have it.
+fn append(line: &mut Vec<Run>, word: Vec<Run>) {
+    let space = match (line.last(), word.first()) {
+        (Some(last), Some(first)) if last.has_style_of(first) => first.part(" ".to_owned()),
+        _ => spaces(1),
+    };
+    for run in std::iter::once(space).chain(word) {
+        match line.last_mut() {
+            Some(last) if last.has_style_of(&run) => last.append(&run),
+            _ => line.push(run),
         }
-        line.extend(word.iter().map(Run::styled));
-        filled += length;
     }
-    if filled > 0 {
-        lines.push(line);
-    }
-    lines
 }
 
 /// What stands between spaces; a word may change its style within. None is wider than a line.
@@ -73,5 +76,11 @@ mod tests {
         assert_eq!(lines.len(), 1);
         let plain = anstream::adapter::strip_str(&lines[0]).to_string();
         assert_eq!(plain, "bold thin");
+    }
+
+    #[test]
+    fn a_style_goes_on_from_word_to_word() {
+        let run = Run::words("three bold words", STRONG);
+        assert_eq!(lines(std::slice::from_ref(&run), 20), [run.styled()]);
     }
 }

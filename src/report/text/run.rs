@@ -45,6 +45,16 @@ impl Run {
         }
     }
 
+    /// Whether it looks like another.
+    pub fn has_style_of(&self, other: &Run) -> bool {
+        self.style == other.style
+    }
+
+    /// Adds the text of another.
+    pub fn append(&mut self, other: &Run) {
+        self.text.push_str(&other.text);
+    }
+
     /// What may stand on different lines.
     pub fn breakable_parts(&self) -> Vec<&str> {
         if self.is_unbroken {

@@ -1,0 +1,77 @@
+//! What is too large stops soon, without exhausting memory or the stack.
+
+use std::time::{Duration, Instant};
+
+use super::{audit_text, block};
+
+/// The outcome in a word, found within a time that leaves room for a slow machine and a debug build.
+fn outcome(statements: &str) -> String {
+    let start = Instant::now();
+    let outcome = match audit_text(&block(statements)) {
+        Ok(audit) => audit.claims.last().map_or("read".into(), |claim| claim.verdict.text().to_string()),
+        Err(message) => message,
+    };
+    assert!(start.elapsed() < Duration::from_secs(60), "{:?}", start.elapsed());
+    outcome
+}
+
+/// The largest resident set of this process so far, in megabytes; 0 where the system does not tell.
+fn peak_memory() -> u64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    let number = line.and_then(|line| line.split_whitespace().next()?.parse::<u64>().ok());
+    number.unwrap_or(0) / 1024
+}
+
+#[test]
+fn calls_of_calls_are_evaluated_once() {
+    let calls = format!("{}x{}", "f(".repeat(60), ")".repeat(60));
+    let claim = format!("parameter x : 1\nf(s) := s + s\nclaim (1): {calls} == 2^60*x");
+    assert_eq!(outcome(&claim), "holds");
+}
+
+#[test]
+fn long_chains_of_definitions_do_not_overflow_the_stack() {
+    let mut text = "parameter x : 1\na_0 := x\n".to_string();
+    for n in 1..3000 {
+        text += &format!("a_{n} := a_{} + x\n", n - 1);
+    }
+    assert_eq!(outcome(&format!("{text}claim (1): a_2999 == 3000*x")), "undecided");
+}
+
+#[test]
+fn long_sums_do_not_overflow_the_stack() {
+    let text = "parameter a, b, c, e, λ, u : 1\np := (a + b + c + e + 1)^10\n\
+                match (1) s: p*λ with u*λ in λ unknown u at λ\nclaim (1): u at s == p";
+    assert_eq!(outcome(text), "holds", "a solution of 1001 terms is read back");
+}
+
+#[test]
+fn matrices_of_long_sums_are_given_up() {
+    let text = "parameter a, b, c, e, f : 1\np := (a + b + c + e + f)^25\nA := identity(64)*p\n\
+                B := A + A\nclaim (1): B == 2*A";
+    let outcome = outcome(text);
+    assert!(outcome.contains("[budget]"), "{outcome}");
+}
+
+#[test]
+fn expansions_of_high_order_stop() {
+    let text = "parameter x, y, z : 1\n\
+                claim (1): truncate(1/(1 + x + y + z)/(1 - x*y), [x, y, z], 12) == 0";
+    assert!(["refuted", "undecided"].contains(&&*outcome(text)));
+}
+
+#[test]
+fn numbers_of_a_point_may_not_grow_without_bound() {
+    let powers: Vec<String> = ('a'..='z').map(|name| format!("{name}^60000")).collect();
+    let names: Vec<String> = ('a'..='z').filter(|name| *name != 'd').map(String::from).collect();
+    let powers = powers.join("*").replace("d^60000*", "");
+    let text = format!("parameter {} : 1\nclaim (1): {powers} == {powers}", names.join(", "));
+    assert_eq!(outcome(&text), "undecided");
+}
+
+#[test]
+fn memory_is_bounded() {
+    outcome("parameter a, b, c, e, f : 1\np := (a + b + c + e + f)^200");
+    assert!(peak_memory() < 1024, "{} MB", peak_memory());
+}

@@ -1,0 +1,55 @@
+//! The engine: what documents mean, and what becomes of their assertions.
+
+mod bad_meaning;
+mod explosions;
+mod identities;
+mod mutants;
+mod verdicts;
+
+use std::path::{Component, Path, PathBuf};
+
+use sextic::derivation::audit::{Audit, Library, audit};
+use sextic::derivation::diagnostic::{SourceFile, render};
+
+/// Documents in a folder; paths are relative to it.
+struct Folder(PathBuf);
+
+impl Library for Folder {
+    fn read(&self, path: &str, from: &str) -> Result<SourceFile, String> {
+        let joined = Path::new(from).parent().unwrap_or(Path::new("")).join(path);
+        let mut parts: Vec<String> = Vec::new();
+        for part in joined.components() {
+            match part {
+                Component::ParentDir => drop(parts.pop()),
+                Component::Normal(name) => parts.push(name.to_string_lossy().into_owned()),
+                _ => {}
+            }
+        }
+        let name = parts.join("/");
+        let text = std::fs::read_to_string(self.0.join(&name));
+        text.map(|text| SourceFile::new(name, text)).map_err(|_| "no such file".into())
+    }
+}
+
+/// What becomes of a text that imports nothing.
+fn audit_text(text: &str) -> Result<Audit, String> {
+    audit_in(&SourceFile::new("document.md", text), &Folder(PathBuf::new()))
+}
+
+/// What becomes of a document, or the messages that reject it.
+fn audit_in(source: &SourceFile, folder: &Folder) -> Result<Audit, String> {
+    audit(source, folder).map_err(|rejected| {
+        let messages = rejected.diagnostics.iter().map(|d| render(d, &rejected.source, false));
+        messages.collect::<Vec<_>>().join("\n")
+    })
+}
+
+/// A block of statements as a document.
+fn block(statements: &str) -> String {
+    format!("# Test\n\n```sextic\n{statements}\n```\n")
+}
+
+/// Where the data of the tests are.
+fn data(folder: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(folder)
+}
