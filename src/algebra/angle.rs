@@ -38,11 +38,26 @@ impl Angle {
     /// of them is positive; (0, 0) for A = 0.
     pub fn primitive(&self) -> (Self, Integer) {
         let magnitude = self.coefficients.values().fold(UBig::ZERO, |divisor, k| {
-            if divisor.is_zero() { k.unsigned_abs() } else { divisor.gcd(k.unsigned_abs()) }
+            if divisor.is_zero() {
+                k.unsigned_abs()
+            } else {
+                divisor.gcd(k.unsigned_abs())
+            }
         });
-        let negative = self.coefficients.values().next().is_some_and(|first| *first < Integer::ZERO);
-        let k = if negative { -Integer::from(magnitude) } else { Integer::from(magnitude) };
-        (Angle::new(self.coefficients().map(|(symbol, own)| (symbol, own / &k))), k)
+        let negative = self
+            .coefficients
+            .values()
+            .next()
+            .is_some_and(|first| *first < Integer::ZERO);
+        let k = if negative {
+            -Integer::from(magnitude)
+        } else {
+            Integer::from(magnitude)
+        };
+        (
+            Angle::new(self.coefficients().map(|(symbol, own)| (symbol, own / &k))),
+            k,
+        )
     }
 
     /// A without the given symbol, and that symbol's coefficient.
@@ -110,7 +125,10 @@ pub fn decompose(angle: &Angle, basis: &[Angle]) -> Decomposition {
             }
         }
     }
-    if rows[basis.len()..].iter().any(|row| !row[basis.len()].is_zero()) {
+    if rows[basis.len()..]
+        .iter()
+        .any(|row| !row[basis.len()].is_zero())
+    {
         return Decomposition::Independent;
     }
     let combination: Option<Vec<Integer>> = (0..basis.len())

@@ -37,9 +37,19 @@ pub fn determinant<A: Arithmetic>(
     matrix: &Matrix<A::Element>,
     arithmetic: &A,
 ) -> Result<A::Element, A::Error> {
-    assert!(matrix.is_square(), "the matrix has {} rows, {} columns", matrix.rows(), matrix.columns());
+    assert!(
+        matrix.is_square(),
+        "the matrix has {} rows, {} columns",
+        matrix.rows(),
+        matrix.columns()
+    );
     let columns: Vec<usize> = (0..matrix.columns()).collect();
-    Minors { matrix, arithmetic, known: BTreeMap::new() }.minor(0, &columns)
+    Minors {
+        matrix,
+        arithmetic,
+        known: BTreeMap::new(),
+    }
+    .minor(0, &columns)
 }
 
 /// The minors of the last rows of a matrix, each computed once.
@@ -112,12 +122,18 @@ pub fn adjugate<A: Arithmetic>(
     matrix: &Matrix<A::Element>,
     arithmetic: &A,
 ) -> Result<Matrix<A::Element>, A::Error> {
-    assert!(matrix.is_square(), "the matrix has {} rows, {} columns", matrix.rows(), matrix.columns());
+    assert!(
+        matrix.is_square(),
+        "the matrix has {} rows, {} columns",
+        matrix.rows(),
+        matrix.columns()
+    );
     let size = matrix.rows();
     if size == 1 {
         return Ok(Matrix::from_fn(1, 1, |_, _| arithmetic.one()));
     }
-    let without = |left_out: usize| -> Vec<usize> { (0..size).filter(|k| *k != left_out).collect() };
+    let without =
+        |left_out: usize| -> Vec<usize> { (0..size).filter(|k| *k != left_out).collect() };
     Matrix::try_from_fn(size, size, |row, column| {
         // The transpose: the cofactor of (column, row).
         let minor = determinant(&matrix.select(&without(column), &without(row)), arithmetic)?;

@@ -108,7 +108,11 @@ impl Ring {
             }
             Generator::Coordinate { name, order, .. } => match differential {
                 Differential::Time => {
-                    let next = Generator::Coordinate { name, order: order + 1, angular: false };
+                    let next = Generator::Coordinate {
+                        name,
+                        order: order + 1,
+                        angular: false,
+                    };
                     let next = self.symbol(next)?;
                     Ok(self.element(next))
                 }
@@ -139,12 +143,18 @@ impl Ring {
                 self.quotient(&change, &twice)
             }
             Generator::Direction { x, y, length } => {
-                let (dx, dy) =
-                    (self.differentiate(&x, differential)?, self.differentiate(&y, differential)?);
+                let (dx, dy) = (
+                    self.differentiate(&x, differential)?,
+                    self.differentiate(&y, differential)?,
+                );
                 let across = self.difference(&self.product(&x, &dy)?, &self.product(&y, &dx)?)?;
                 self.quotient(&across, &self.product(&length, &length)?)
             }
-            Generator::FunctionValue { name, order, argument } => {
+            Generator::FunctionValue {
+                name,
+                order,
+                argument,
+            } => {
                 let change = self.differentiate(&argument, differential)?;
                 if change.is_zero() {
                     return Ok(change);

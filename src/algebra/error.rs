@@ -27,7 +27,9 @@ impl fmt::Display for AlgebraError {
             AlgebraError::DivisionByZero => f.write_str("division by zero"),
             AlgebraError::Exhausted(exhausted) => exhausted.fmt(f),
             AlgebraError::TooManySymbols => f.write_str("too many symbols"),
-            AlgebraError::FractionalAngle => f.write_str("a fraction of an angle whose sine is a symbol"),
+            AlgebraError::FractionalAngle => {
+                f.write_str("a fraction of an angle whose sine is a symbol")
+            }
             AlgebraError::NotAnAngle => f.write_str("not a sum of angles with whole coefficients"),
             AlgebraError::UnknownSign => f.write_str("the sign of a root is not known"),
         }

@@ -64,7 +64,9 @@ impl Ring {
         let mut at_zero = Substitution::new();
         let mut back = Substitution::new();
         for symbol in small {
-            let direction = self.symbol(Generator::Constant { name: format!("δ{}", symbol.index()) })?;
+            let direction = self.symbol(Generator::Constant {
+                name: format!("δ{}", symbol.index()),
+            })?;
             along.insert(*symbol, self.element(direction));
             at_zero.insert(*symbol, self.zero());
             back.insert(direction, self.element(*symbol));
@@ -123,9 +125,16 @@ impl Ring {
         degree: u32,
     ) -> Result<Fraction, AlgebraError> {
         let terms = element.numerator().terms().iter().filter(|(monomial, _)| {
-            small.iter().map(|symbol| monomial.exponent(*symbol)).sum::<u32>() == degree
+            small
+                .iter()
+                .map(|symbol| monomial.exponent(*symbol))
+                .sum::<u32>()
+                == degree
         });
-        self.fraction(&Polynomial::from_terms(terms.cloned()), element.denominator())
+        self.fraction(
+            &Polynomial::from_terms(terms.cloned()),
+            element.denominator(),
+        )
     }
 
     /// The element up to terms of total degree `order` in the small quantities.
@@ -142,7 +151,9 @@ impl Ring {
         order: u32,
     ) -> Result<Fraction, AlgebraError> {
         let parts = self.expand(element, small, order)?;
-        parts.iter().try_fold(self.zero(), |sum, part| self.sum(&sum, part))
+        parts
+            .iter()
+            .try_fold(self.zero(), |sum, part| self.sum(&sum, part))
     }
 
     /// The least degree in the small quantities at which an element has a term, and that term, looking

@@ -176,8 +176,8 @@ impl Fraction {
         let over = |side, common| over(side, common, budget);
         let numerator =
             over(&left.numerator, &first)?.multiply(&*over(&right.numerator, &second)?, budget)?;
-        let denominator =
-            over(&left.denominator, &second)?.multiply(&*over(&right.denominator, &first)?, budget)?;
+        let denominator = over(&left.denominator, &second)?
+            .multiply(&*over(&right.denominator, &first)?, budget)?;
         Ok(Fraction::from_coprime(numerator, denominator))
     }
 
@@ -258,7 +258,10 @@ impl Fraction {
             return Ok(Fraction::from_coprime(numerator, d.multiply(&e, budget)?));
         };
         let rest = Fraction::reduced(numerator, common, budget)?;
-        let denominator = rest.denominator.multiply(&d, budget)?.multiply(&e, budget)?;
+        let denominator = rest
+            .denominator
+            .multiply(&d, budget)?
+            .multiply(&e, budget)?;
         Ok(Fraction::from_coprime(rest.numerator, denominator))
     }
 }

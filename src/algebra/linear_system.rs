@@ -80,7 +80,11 @@ pub fn null_space<A: Division>(
 ) -> Result<NullSpace<A::Element>, A::Error> {
     let (row_count, column_count) = matrix.shape();
     let mut rows: Vec<Vec<A::Element>> = (0..row_count)
-        .map(|row| (0..column_count).map(|column| matrix.at(row, column).clone()).collect())
+        .map(|row| {
+            (0..column_count)
+                .map(|column| matrix.at(row, column).clone())
+                .collect()
+        })
         .collect();
     let mut pivot_columns = Vec::new();
     let mut pivots = Vec::new();

@@ -21,7 +21,11 @@ impl<T: Clone> Matrix<T> {
         let entries = (0..rows * columns)
             .map(|place| entry(place / columns, place % columns))
             .collect();
-        Matrix { rows, columns, entries }
+        Matrix {
+            rows,
+            columns,
+            entries,
+        }
     }
 
     /// Like [`Matrix::from_fn`], stopping at the first error.
@@ -42,7 +46,11 @@ impl<T: Clone> Matrix<T> {
         let entries = (0..rows * columns)
             .map(|place| entry(place / columns, place % columns))
             .collect::<Result<Vec<T>, E>>()?;
-        Ok(Matrix { rows, columns, entries })
+        Ok(Matrix {
+            rows,
+            columns,
+            entries,
+        })
     }
 
     /// The number of rows.
@@ -99,7 +107,11 @@ impl<T: Clone> Matrix<T> {
         image: impl FnMut(&T) -> Result<U, E>,
     ) -> Result<Matrix<U>, E> {
         let entries = self.entries.iter().map(image).collect::<Result<_, E>>()?;
-        Ok(Matrix { rows: self.rows, columns: self.columns, entries })
+        Ok(Matrix {
+            rows: self.rows,
+            columns: self.columns,
+            entries,
+        })
     }
 
     /// Aᵀ.

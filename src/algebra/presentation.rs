@@ -64,13 +64,21 @@ impl Ring {
         let mut groups: BTreeMap<Monomial, Vec<(Monomial, Integer)>> = BTreeMap::new();
         for (monomial, coefficient) in polynomial.terms() {
             let rest = monomial.without(cosine).without(sine);
-            groups.entry(rest).or_default().push((monomial.clone(), coefficient.clone()));
+            groups
+                .entry(rest)
+                .or_default()
+                .push((monomial.clone(), coefficient.clone()));
         }
         let mut shortened = Polynomial::zero();
         for group in groups.into_values() {
             let group = Polynomial::from_terms(group);
             let other = self.fold_square(&group, cosine, sine)?;
-            shortened = &shortened + if other.len() < group.len() { &other } else { &group };
+            shortened = &shortened
+                + if other.len() < group.len() {
+                    &other
+                } else {
+                    &group
+                };
         }
         Ok(shortened)
     }
@@ -167,9 +175,11 @@ impl Ring {
             None => Signs::ZERO,
         };
         let factors = shortened.square_free(self.budget())?;
-        factors.into_iter().try_fold(leading, |signs, (factor, multiplicity)| {
-            Ok(signs.product(self.signs_by_terms(&factor)?.power(multiplicity)))
-        })
+        factors
+            .into_iter()
+            .try_fold(leading, |signs, (factor, multiplicity)| {
+                Ok(signs.product(self.signs_by_terms(&factor)?.power(multiplicity)))
+            })
     }
 
     /// The signs that the terms of a polynomial and of equal forms of it allow.

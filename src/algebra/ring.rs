@@ -54,7 +54,12 @@ pub struct BasisAngle {
 impl Ring {
     /// A ring without symbols, whose computations may take as many steps as the budget has.
     pub fn new(budget: Budget) -> Self {
-        Ring { generators: Vec::new(), assumptions: Assumptions::default(), basis: Vec::new(), budget }
+        Ring {
+            generators: Vec::new(),
+            assumptions: Assumptions::default(),
+            basis: Vec::new(),
+            budget,
+        }
     }
 
     /// The budget that the ring's computations draw from.
@@ -97,7 +102,8 @@ impl Ring {
         if let Some(known) = self.generators.iter().position(|known| *known == generator) {
             return Ok(Symbol::new(known as u16));
         }
-        let index = u16::try_from(self.generators.len()).map_err(|_| AlgebraError::TooManySymbols)?;
+        let index =
+            u16::try_from(self.generators.len()).map_err(|_| AlgebraError::TooManySymbols)?;
         let symbol = Symbol::new(index);
         if generator == Generator::ImaginaryUnit {
             self.assumptions.assume_complex(symbol);
@@ -130,8 +136,13 @@ impl Ring {
         wanted: impl Fn(&Generator) -> bool,
     ) -> Option<Symbol> {
         let degrees = Degrees::of(polynomial);
-        let symbols = degrees.iter().filter(|(_, degree)| *degree >= least).map(|(symbol, _)| symbol);
-        symbols.filter(|symbol| wanted(self.generator(*symbol))).last()
+        let symbols = degrees
+            .iter()
+            .filter(|(_, degree)| *degree >= least)
+            .map(|(symbol, _)| symbol);
+        symbols
+            .filter(|symbol| wanted(self.generator(*symbol)))
+            .last()
     }
 
     /// The normal form of a polynomial: at most linear in every symbol whose square is known.
@@ -149,7 +160,9 @@ impl Ring {
     pub fn reduce(&self, polynomial: &Polynomial) -> Result<Polynomial, AlgebraError> {
         let mut reduced = polynomial.clone();
         while let Some(symbol) = self.last_symbol(&reduced, 2, Generator::is_quadratic) {
-            let Some(square) = self.square_of(symbol) else { break };
+            let Some(square) = self.square_of(symbol) else {
+                break;
+            };
             // Horner's rule in the square, for the even and the odd powers apart.
             let coefficients = reduced.coefficients_in(symbol);
             let mut parts = [Polynomial::zero(), Polynomial::zero()];
@@ -225,7 +238,11 @@ impl Ring {
     /// # Ok::<(), sextic::algebra::error::AlgebraError>(())
     /// ```
     pub fn canonical(&self, element: &Fraction) -> Result<Fraction, AlgebraError> {
-        self.rationalize(element.numerator(), element.denominator(), Generator::is_quadratic)
+        self.rationalize(
+            element.numerator(),
+            element.denominator(),
+            Generator::is_quadratic,
+        )
     }
 
     /// N/D, freed of unwanted symbols w below the line: D = a + b w times its conjugate a − b w is
@@ -257,8 +274,13 @@ impl Ring {
 
     /// The symbol that the element is, if it is one.
     pub fn as_symbol(&self, element: &Fraction) -> Option<Symbol> {
-        let [(monomial, coefficient)] = element.numerator().terms() else { return None };
-        let (symbol, _) = monomial.factors().next().filter(|_| monomial.degree() == 1)?;
+        let [(monomial, coefficient)] = element.numerator().terms() else {
+            return None;
+        };
+        let (symbol, _) = monomial
+            .factors()
+            .next()
+            .filter(|_| monomial.degree() == 1)?;
         (*coefficient == Integer::ONE && element.denominator().is_one()).then_some(symbol)
     }
 
@@ -278,7 +300,11 @@ impl Ring {
         argument: &Fraction,
     ) -> Result<Fraction, AlgebraError> {
         let argument = self.canonical(argument)?;
-        let symbol = self.symbol(Generator::FunctionValue { name: name.into(), order, argument })?;
+        let symbol = self.symbol(Generator::FunctionValue {
+            name: name.into(),
+            order,
+            argument,
+        })?;
         Ok(self.element(symbol))
     }
 }

@@ -47,7 +47,9 @@ impl Ring {
         if !self.signs(element)?.positive {
             return Err(AlgebraError::UnknownSign);
         }
-        let under = element.numerator().multiply(element.denominator(), self.budget())?;
+        let under = element
+            .numerator()
+            .multiply(element.denominator(), self.budget())?;
         let under = self.reduce(&under)?;
         let (outside, mut single) = integer_square_part(&under.content());
         let mut root = Polynomial::constant(outside);
@@ -66,7 +68,10 @@ impl Ring {
                 mixed = mixed.multiply(&kept, self.budget())?;
                 continue;
             };
-            root = root.multiply(&factor.power(multiplicity / 2, self.budget())?, self.budget())?;
+            root = root.multiply(
+                &factor.power(multiplicity / 2, self.budget())?,
+                self.budget(),
+            )?;
             if multiplicity % 2 == 1 {
                 single.push(factor);
             }
@@ -84,7 +89,11 @@ impl Ring {
         for radicand in single {
             let strictly = self.polynomial_signs(&radicand)?.is_positive();
             let symbol = self.symbol(Generator::Root { radicand })?;
-            let signs = if strictly { Signs::POSITIVE } else { Signs::NON_NEGATIVE };
+            let signs = if strictly {
+                Signs::POSITIVE
+            } else {
+                Signs::NON_NEGATIVE
+            };
             self.assumptions_mut().assume_symbol(symbol, signs);
             numerator = self.product(&numerator, &self.element(symbol))?;
         }

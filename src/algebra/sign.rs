@@ -29,17 +29,41 @@ pub struct Signs {
 
 impl Signs {
     /// Nothing is known.
-    pub const ANY: Signs = Signs { negative: true, zero: true, positive: true };
+    pub const ANY: Signs = Signs {
+        negative: true,
+        zero: true,
+        positive: true,
+    };
     /// > 0
-    pub const POSITIVE: Signs = Signs { negative: false, zero: false, positive: true };
+    pub const POSITIVE: Signs = Signs {
+        negative: false,
+        zero: false,
+        positive: true,
+    };
     /// < 0
-    pub const NEGATIVE: Signs = Signs { negative: true, zero: false, positive: false };
+    pub const NEGATIVE: Signs = Signs {
+        negative: true,
+        zero: false,
+        positive: false,
+    };
     /// = 0
-    pub const ZERO: Signs = Signs { negative: false, zero: true, positive: false };
+    pub const ZERO: Signs = Signs {
+        negative: false,
+        zero: true,
+        positive: false,
+    };
     /// ≥ 0
-    pub const NON_NEGATIVE: Signs = Signs { negative: false, zero: true, positive: true };
+    pub const NON_NEGATIVE: Signs = Signs {
+        negative: false,
+        zero: true,
+        positive: true,
+    };
     /// ≠ 0
-    pub const NON_ZERO: Signs = Signs { negative: true, zero: false, positive: true };
+    pub const NON_ZERO: Signs = Signs {
+        negative: true,
+        zero: false,
+        positive: true,
+    };
 
     /// The sign of a number.
     pub fn of_integer(value: &Integer) -> Signs {
@@ -75,7 +99,11 @@ impl Signs {
 
     /// The signs −a can have.
     pub fn opposite(self) -> Signs {
-        Signs { negative: self.positive, zero: self.zero, positive: self.negative }
+        Signs {
+            negative: self.positive,
+            zero: self.zero,
+            positive: self.negative,
+        }
     }
 
     /// The signs aⁿ can have for a real a.
@@ -83,7 +111,11 @@ impl Signs {
         if exponent == 0 {
             Signs::POSITIVE
         } else if exponent % 2 == 0 {
-            Signs { negative: false, zero: self.zero, positive: self.positive || self.negative }
+            Signs {
+                negative: false,
+                zero: self.zero,
+                positive: self.positive || self.negative,
+            }
         } else {
             self
         }
@@ -171,21 +203,28 @@ impl Assumptions {
 
     /// What is known of a product of powers.
     fn of_monomial(&self, monomial: &Monomial) -> Signs {
-        monomial.factors().fold(Signs::POSITIVE, |signs, (symbol, exponent)| {
-            let power = if self.complex.contains(&symbol) {
-                Signs::ANY
-            } else {
-                self.of_symbol(symbol).power(exponent)
-            };
-            signs.product(power)
-        })
+        monomial
+            .factors()
+            .fold(Signs::POSITIVE, |signs, (symbol, exponent)| {
+                let power = if self.complex.contains(&symbol) {
+                    Signs::ANY
+                } else {
+                    self.of_symbol(symbol).power(exponent)
+                };
+                signs.product(power)
+            })
     }
 
     /// What the signs of its terms tell of a polynomial.
     pub fn of_terms(&self, polynomial: &Polynomial) -> Signs {
-        polynomial.terms().iter().fold(Signs::ZERO, |signs, (monomial, coefficient)| {
-            let term = self.of_monomial(monomial).product(Signs::of_integer(coefficient));
-            signs.sum(term)
-        })
+        polynomial
+            .terms()
+            .iter()
+            .fold(Signs::ZERO, |signs, (monomial, coefficient)| {
+                let term = self
+                    .of_monomial(monomial)
+                    .product(Signs::of_integer(coefficient));
+                signs.sum(term)
+            })
     }
 }

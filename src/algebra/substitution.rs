@@ -72,9 +72,16 @@ impl Ring {
         // Terms that agree in the symbols that change are taken together.
         let mut groups: BTreeMap<Monomial, Vec<(Monomial, Integer)>> = BTreeMap::new();
         for (monomial, coefficient) in polynomial.terms() {
-            let staying = images.keys().fold(monomial.clone(), |rest, symbol| rest.without(*symbol));
-            let Some(changing) = monomial.quotient(&staying) else { continue };
-            groups.entry(changing).or_default().push((staying, coefficient.clone()));
+            let staying = images
+                .keys()
+                .fold(monomial.clone(), |rest, symbol| rest.without(*symbol));
+            let Some(changing) = monomial.quotient(&staying) else {
+                continue;
+            };
+            groups
+                .entry(changing)
+                .or_default()
+                .push((staying, coefficient.clone()));
         }
         let mut sum = self.zero();
         for (changing, staying) in groups {
@@ -113,7 +120,11 @@ impl Ring {
             Generator::Root { radicand } => {
                 let radicand = Fraction::from(radicand);
                 let image = self.substitute(&radicand, substitution)?;
-                if image == radicand { Ok(None) } else { self.square_root(&image).map(Some) }
+                if image == radicand {
+                    Ok(None)
+                } else {
+                    self.square_root(&image).map(Some)
+                }
             }
             Generator::Direction { x, y, .. } => {
                 let image_x = self.substitute(&x, substitution)?;
@@ -124,7 +135,11 @@ impl Ring {
                     self.direction(&image_x, &image_y).map(Some)
                 }
             }
-            Generator::FunctionValue { name, order, argument } => {
+            Generator::FunctionValue {
+                name,
+                order,
+                argument,
+            } => {
                 let image = self.substitute(&argument, substitution)?;
                 if image == argument {
                     Ok(None)

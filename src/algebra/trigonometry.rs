@@ -20,8 +20,13 @@ impl Ring {
         let terms = element.numerator().terms().iter();
         let coefficients: Option<Vec<(Symbol, Integer)>> = terms
             .map(|(monomial, coefficient)| {
-                let (symbol, _) = monomial.factors().next().filter(|_| monomial.degree() == 1)?;
-                self.generator(symbol).is_angular().then(|| (symbol, coefficient.clone()))
+                let (symbol, _) = monomial
+                    .factors()
+                    .next()
+                    .filter(|_| monomial.degree() == 1)?;
+                self.generator(symbol)
+                    .is_angular()
+                    .then(|| (symbol, coefficient.clone()))
             })
             .collect();
         Some(Angle::new(coefficients?))
@@ -29,7 +34,9 @@ impl Ring {
 
     /// The angle as an element.
     pub fn angle_element(&self, angle: &Angle) -> Fraction {
-        let terms = angle.coefficients().map(|(symbol, k)| (Monomial::power(symbol, 1), k.clone()));
+        let terms = angle
+            .coefficients()
+            .map(|(symbol, k)| (Monomial::power(symbol, 1), k.clone()));
         Fraction::from(Polynomial::from_terms(terms))
     }
 
@@ -93,7 +100,12 @@ impl Ring {
                 known.iter().map(|_| Integer::ZERO).chain([k]).collect()
             }
         };
-        for (basis, k) in self.basis.iter().zip(&multiples).filter(|(_, k)| !k.is_zero()) {
+        for (basis, k) in self
+            .basis
+            .iter()
+            .zip(&multiples)
+            .filter(|(_, k)| !k.is_zero())
+        {
             let pair = (self.element(basis.cosine), self.element(basis.sine));
             result = self.turn(result, &self.multiple(&pair, k)?)?;
         }
@@ -105,10 +117,21 @@ impl Ring {
         if let Some(known) = self.basis.iter().find(|known| known.angle == angle) {
             return Ok(known.clone());
         }
-        let cosine = self.symbol(Generator::Cosine { angle: angle.clone() })?;
-        let sine = self.symbol(Generator::Sine { angle: angle.clone() })?;
-        self.basis.push(BasisAngle { angle, cosine, sine });
-        self.basis.last().cloned().ok_or(AlgebraError::TooManySymbols)
+        let cosine = self.symbol(Generator::Cosine {
+            angle: angle.clone(),
+        })?;
+        let sine = self.symbol(Generator::Sine {
+            angle: angle.clone(),
+        })?;
+        self.basis.push(BasisAngle {
+            angle,
+            cosine,
+            sine,
+        });
+        self.basis
+            .last()
+            .cloned()
+            .ok_or(AlgebraError::TooManySymbols)
     }
 
     /// (cos(A + B), sin(A + B)).
@@ -117,7 +140,8 @@ impl Ring {
         (cos_a, sin_a): (Fraction, Fraction),
         (cos_b, sin_b): &(Fraction, Fraction),
     ) -> Result<(Fraction, Fraction), AlgebraError> {
-        let cosine = self.difference(&self.product(&cos_a, cos_b)?, &self.product(&sin_a, sin_b)?)?;
+        let cosine =
+            self.difference(&self.product(&cos_a, cos_b)?, &self.product(&sin_a, sin_b)?)?;
         let sine = self.sum(&self.product(&sin_a, cos_b)?, &self.product(&cos_a, sin_b)?)?;
         Ok((cosine, sine))
     }
@@ -129,7 +153,11 @@ impl Ring {
         k: &Integer,
     ) -> Result<(Fraction, Fraction), AlgebraError> {
         let count = i64::try_from(k).map_err(|_| AlgebraError::FractionalAngle)?;
-        let sine = if count < 0 { self.negative(sine) } else { sine.clone() };
+        let sine = if count < 0 {
+            self.negative(sine)
+        } else {
+            sine.clone()
+        };
         let step = (cosine.clone(), sine);
         let mut result = (self.one(), self.zero());
         for _ in 0..count.unsigned_abs() {
@@ -153,7 +181,11 @@ impl Ring {
     pub fn direction(&mut self, x: &Fraction, y: &Fraction) -> Result<Fraction, AlgebraError> {
         let (x, y) = (&self.canonical(x)?, &self.canonical(y)?);
         for index in 0..self.basis.len() {
-            let BasisAngle { angle, cosine, sine } = self.basis[index].clone();
+            let BasisAngle {
+                angle,
+                cosine,
+                sine,
+            } = self.basis[index].clone();
             let (cosine, sine) = (self.element(cosine), self.element(sine));
             let across = self.difference(&self.product(x, &sine)?, &self.product(y, &cosine)?)?;
             let along = self.sum(&self.product(x, &cosine)?, &self.product(y, &sine)?)?;

@@ -4,12 +4,13 @@
 //! ([`Finding`]); when the document is read to its end, the sides are evaluated at points, and the
 //! two routes together give the verdict ([`Judge`]).
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::generator::Generator;
 use crate::algebra::number::Rational;
+use crate::algebra::polynomial::Polynomial;
 use crate::algebra::sign::Signs;
 
 use super::condition::Conditions;
@@ -18,13 +19,11 @@ use super::elaboration::{Elaborator, algebra, check_order};
 use super::evaluation::evaluator::Evaluator;
 use super::evaluation::number::Number;
 use super::evaluation::point::Size;
+use super::foundation::Foundation;
 use super::presentation::Presenter;
 use super::quantity::{Value, common_unit};
-use super::foundation::Foundation;
 use super::scope::Scope;
-use super::syntax::{
-    Comparison, Expectation, Expression, Label, Order, Relation, Span,
-};
+use super::syntax::{Comparison, Expectation, Expression, Label, Order, Relation, Span};
 use super::verdict::{Claim, Condition, Explanation, Verdict, Witness};
 
 /// At how many random points every assertion is evaluated.
@@ -37,13 +36,25 @@ const MOST_CHECKPOINTS: usize = 24;
 const MOST_ATTEMPTS: u64 = 400;
 
 /// Numbers large enough that two different expressions do not agree by chance.
-const LARGE: Size = Size { numerator: 1_000_000, denominator: 1 };
+const LARGE: Size = Size {
+    numerator: 1_000_000,
+    denominator: 1,
+};
 
 /// Numbers small enough to check by hand; later ones are larger.
 const SMALL: [Size; 3] = [
-    Size { numerator: 3, denominator: 1 },
-    Size { numerator: 5, denominator: 2 },
-    Size { numerator: 40, denominator: 9 },
+    Size {
+        numerator: 3,
+        denominator: 1,
+    },
+    Size {
+        numerator: 5,
+        denominator: 2,
+    },
+    Size {
+        numerator: 40,
+        denominator: 9,
+    },
 ];
 
 /// Longer normal forms are not shown with a verdict.
@@ -80,6 +91,7 @@ pub struct Finding {
     conditions: Vec<Condition>,
     residual: Option<Expression>,
     explanation: Explanation,
+    names: BTreeSet<String>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -113,6 +125,7 @@ impl Elaborator {
                 conditions: Vec::new(),
                 residual: None,
                 explanation: Explanation::default(),
+                names: BTreeSet::new(),
             })
         };
         let relation = &assertion.relation;
@@ -120,12 +133,16 @@ impl Elaborator {
             check_order(order.order, span)?;
             if relation.comparison != Comparison::Equal {
                 let message = "only an equation can hold to an order";
-                return Err(Diagnostic::new(DiagnosticKind::Unsupported, span.clone(), message)
-                    .with_label("an inequality")
-                    .with_help("leave out `to order …`, or compare with `==`"));
+                return Err(
+                    Diagnostic::new(DiagnosticKind::Unsupported, span.clone(), message)
+                        .with_label("an inequality")
+                        .with_help("leave out `to order …`, or compare with `==`"),
+                );
             }
         }
-        let sides = self.value(&relation.left).and_then(|left| Ok((left, self.value(&relation.right)?)));
+        let sides = self
+            .value(&relation.left)
+            .and_then(|left| Ok((left, self.value(&relation.right)?)));
         let (left, right) = match sides {
             Ok(sides) => sides,
             Err(error) if matches!(error.kind, DiagnosticKind::Unit | DiagnosticKind::Shape) => {
@@ -155,10 +172,14 @@ impl Elaborator {
         let (outcome, residual) = match (relation.comparison, &assertion.order) {
             (Comparison::Equal, None) => (self.compare(&differences), None),
             (Comparison::Equal, Some(order)) => self.compare_to_order(&differences, order, span)?,
-            (comparison, _) => (self.compare_signs(&differences, comparison, relation)?, None),
+            (comparison, _) => (
+                self.compare_signs(&differences, comparison, relation)?,
+                None,
+            ),
         };
         let needed = std::mem::take(&mut self.conditions);
         let explanation = self.explanation(assertion, &left, &right)?;
+        let names = self.value_names([&left, &right], span)?;
         Ok(Finding {
             assertion: assertion.clone(),
             outcome,
@@ -167,13 +188,38 @@ impl Elaborator {
                 .map(|residual| self.present(&residual, span))
                 .transpose()?,
             explanation,
+            names,
         })
     }
 
+    /// The names under which a point lists the values that sides are made of: `m`, `dt(x)`,
+    /// `cos(alpha_0)`.
+    fn value_names(&self, sides: [&Value; 2], span: &Span) -> Result<BTreeSet<String>, Diagnostic> {
+        let presenter = Presenter {
+            ring: &self.ring,
+            scope: &self.scope,
+        };
+        let entries = sides.into_iter().flat_map(|side| side.entries());
+        let polynomials =
+            entries.flat_map(|entry| [entry.value.numerator(), entry.value.denominator()]);
+        let symbols: BTreeSet<_> = polynomials.flat_map(Polynomial::symbols).collect();
+        let mut names = BTreeSet::new();
+        for symbol in symbols {
+            let shown = presenter
+                .symbol(symbol)
+                .map_err(|error| algebra(error, span))?;
+            shown.collect_values(&mut names);
+        }
+        Ok(names)
+    }
+
     fn present(&self, element: &Fraction, span: &Span) -> Result<Expression, Diagnostic> {
-        Presenter { ring: &self.ring, scope: &self.scope }
-            .element(element)
-            .map_err(|error| algebra(error, span))
+        Presenter {
+            ring: &self.ring,
+            scope: &self.scope,
+        }
+        .element(element)
+        .map_err(|error| algebra(error, span))
     }
 
     fn present_conditions(
@@ -181,7 +227,10 @@ impl Elaborator {
         conditions: &Conditions,
         span: &Span,
     ) -> Result<Vec<Condition>, Diagnostic> {
-        let presenter = Presenter { ring: &self.ring, scope: &self.scope };
+        let presenter = Presenter {
+            ring: &self.ring,
+            scope: &self.scope,
+        };
         let present = |(requirement, polynomial): &(_, _)| {
             let expression = presenter.polynomial(polynomial);
             Ok(Condition {
@@ -198,16 +247,18 @@ impl Elaborator {
         }
         let hidden = differences.iter().any(|difference| {
             let symbols = difference.numerator().symbols();
-            symbols.into_iter().any(|symbol| match self.ring.generator(symbol) {
-                Generator::Direction { .. } => true,
-                Generator::FunctionValue { argument, .. } => {
-                    let inside = argument.numerator().symbols();
-                    inside.into_iter().any(|inside| {
-                        matches!(self.ring.generator(inside), Generator::Direction { .. })
-                    })
-                }
-                _ => false,
-            })
+            symbols
+                .into_iter()
+                .any(|symbol| match self.ring.generator(symbol) {
+                    Generator::Direction { .. } => true,
+                    Generator::FunctionValue { argument, .. } => {
+                        let inside = argument.numerator().symbols();
+                        inside.into_iter().any(|inside| {
+                            matches!(self.ring.generator(inside), Generator::Direction { .. })
+                        })
+                    }
+                    _ => false,
+                })
         });
         if hidden {
             return Outcome::Unresolved(
@@ -231,9 +282,9 @@ impl Elaborator {
                 .ring
                 .leading_part(difference, &small, order.order + RESIDUAL_ORDERS)
                 .map_err(wrap)?;
-            let earlier = leading.as_ref().is_none_or(|(least, _)| {
-                found.as_ref().is_some_and(|(degree, _)| degree < least)
-            });
+            let earlier = leading
+                .as_ref()
+                .is_none_or(|(least, _)| found.as_ref().is_some_and(|(degree, _)| degree < least));
             if earlier && found.is_some() {
                 leading = found;
             }
@@ -255,11 +306,16 @@ impl Elaborator {
         let span = &relation.left.span;
         let [difference] = differences else {
             let message = "matrices have no order";
-            return Err(Diagnostic::new(DiagnosticKind::Shape, span.clone(), message)
-                .with_label("a matrix")
-                .with_help("compare their entries, such as `A[1, 2] < B[1, 2]`"));
+            return Err(
+                Diagnostic::new(DiagnosticKind::Shape, span.clone(), message)
+                    .with_label("a matrix")
+                    .with_help("compare their entries, such as `A[1, 2] < B[1, 2]`"),
+            );
         };
-        let signs = self.ring.signs(difference).map_err(|error| algebra(error, span))?;
+        let signs = self
+            .ring
+            .signs(difference)
+            .map_err(|error| algebra(error, span))?;
         let wanted = allowed(comparison);
         let possible = |sign: fn(Signs) -> bool| sign(signs) && !sign(wanted);
         let violated = possible(|signs| signs.negative)
@@ -277,14 +333,20 @@ impl Elaborator {
     /// Whether an angle stands beside a sine or cosine of it: a point of the relations gives them
     /// values that do not belong together, which shows nothing about an inequality.
     fn is_transcendental(&self, element: &Fraction) -> bool {
-        let symbols = element.numerator().symbols().into_iter().chain(element.denominator().symbols());
+        let symbols = element
+            .numerator()
+            .symbols()
+            .into_iter()
+            .chain(element.denominator().symbols());
         let symbols: Vec<_> = symbols.collect();
-        symbols.iter().any(|symbol| match self.ring.generator(*symbol) {
-            Generator::Cosine { angle } | Generator::Sine { angle } => {
-                angle.coefficients().any(|(inside, _)| symbols.contains(&inside))
-            }
-            _ => false,
-        })
+        symbols
+            .iter()
+            .any(|symbol| match self.ring.generator(*symbol) {
+                Generator::Cosine { angle } | Generator::Sine { angle } => angle
+                    .coefficients()
+                    .any(|(inside, _)| symbols.contains(&inside)),
+                _ => false,
+            })
     }
 
     fn explanation(
@@ -293,17 +355,25 @@ impl Elaborator {
         left: &Value,
         right: &Value,
     ) -> Result<Explanation, Diagnostic> {
-        let Relation { left: a, right: b, .. } = &assertion.relation;
+        let Relation {
+            left: a, right: b, ..
+        } = &assertion.relation;
         let definitions = Foundation::of(&self.scope, [a, b]);
         let present = |value: &Value| -> Result<Vec<Option<Expression>>, Diagnostic> {
             let entries = value.entries().iter().map(|entry| {
                 let terms = entry.value.numerator().len() + entry.value.denominator().len();
                 let short = (terms <= MOST_TERMS_TO_SHOW).then_some(&entry.value);
-                short.map(|value| self.present(value, &assertion.span)).transpose()
+                short
+                    .map(|value| self.present(value, &assertion.span))
+                    .transpose()
             });
             entries.collect()
         };
-        let unit = left.entries().iter().chain(right.entries()).find_map(|entry| entry.unit.clone());
+        let unit = left
+            .entries()
+            .iter()
+            .chain(right.entries())
+            .find_map(|entry| entry.unit.clone());
         Ok(Explanation {
             definitions,
             left: present(left)?,
@@ -341,7 +411,13 @@ impl<'a> Judge<'a> {
         assumptions: &'a [Relation],
         signs: BTreeMap<String, Signs>,
     ) -> Self {
-        Judge { scope, assumptions, signs, large: Vec::new(), small: Vec::new() }
+        Judge {
+            scope,
+            assumptions,
+            signs,
+            large: Vec::new(),
+            small: Vec::new(),
+        }
     }
 
     fn evaluator(&self, seed: u64, size: Size) -> Option<Evaluator<'a>> {
@@ -374,7 +450,9 @@ impl<'a> Judge<'a> {
     ) -> Result<Result<usize, String>, Diagnostic> {
         let (mut passed, mut reason) = (0, "no point satisfies the assumptions".to_string());
         for count in 0..MOST_CHECKPOINTS {
-            let Some(evaluator) = self.checkpoint(count) else { break };
+            let Some(evaluator) = self.checkpoint(count) else {
+                break;
+            };
             match check(evaluator)? {
                 Ok(()) => passed += 1,
                 Err(why) => reason = why,
@@ -391,8 +469,9 @@ impl<'a> Judge<'a> {
         while self.small.len() <= count {
             let next = self.small.len() as u64;
             let size = SMALL[(next as usize / 40).min(SMALL.len() - 1)];
-            let found = (0..MOST_ATTEMPTS)
-                .find_map(|attempt| self.evaluator(1_000_000 + next * MOST_ATTEMPTS + attempt, size));
+            let found = (0..MOST_ATTEMPTS).find_map(|attempt| {
+                self.evaluator(1_000_000 + next * MOST_ATTEMPTS + attempt, size)
+            });
             self.small.push(found?);
         }
         self.small.get_mut(count)
@@ -432,28 +511,36 @@ impl<'a> Judge<'a> {
                         (_, true) => Verdict::Holds,
                         (_, false) => Verdict::HoldsWhere,
                     };
-                    if let (Outcome::TrueToOrder, Some(order)) = (&finding.outcome, &assertion.order) {
-                        let small = order.small.iter().map(|small| small.value.clone()).collect();
+                    if let (Outcome::TrueToOrder, Some(order)) =
+                        (&finding.outcome, &assertion.order)
+                    {
+                        let small = order
+                            .small
+                            .iter()
+                            .map(|small| small.value.clone())
+                            .collect();
                         claim.neglected = Some((order.order + 1, small));
                     }
                 }
                 Err(reason) => claim.reason = Some(reason),
             },
-            Outcome::Different(_) | Outcome::Open => match self.witness(finding) {
-                Some(witness) => {
-                    claim.witness = Some(witness);
-                    claim.verdict = Verdict::Refuted;
-                }
-                None => {
-                    claim.reason = Some(match &finding.outcome {
+            Outcome::Different(_) | Outcome::Open => {
+                match self.witness(finding) {
+                    Some(witness) => {
+                        claim.witness = Some(witness);
+                        claim.verdict = Verdict::Refuted;
+                    }
+                    None => {
+                        claim.reason = Some(match &finding.outcome {
                         Outcome::Open => "the signs of the parameters do not decide it, and no \
                                           point contradicts it"
                             .into(),
                         _ => "the normal forms differ, but no point was found at which the sides do"
                             .to_string(),
                     });
+                    }
                 }
-            },
+            }
             Outcome::Unresolved(reason) => claim.reason = Some((*reason).to_string()),
         }
         Ok(claim)
@@ -487,11 +574,14 @@ impl<'a> Judge<'a> {
             _ => None,
         };
         let order = assertion.order.as_ref().filter(|_| degree.is_some());
-        let names = shown_names(&finding.explanation);
         let mut irrational = None;
         for count in 0..MOST_POINTS {
-            let Some(evaluator) = self.candidates(count) else { break };
-            let Ok(sides) = side_parts(evaluator, assertion, order) else { continue };
+            let Some(evaluator) = self.candidates(count) else {
+                break;
+            };
+            let Ok(sides) = side_parts(evaluator, assertion, order) else {
+                continue;
+            };
             let side = match degree {
                 Some(degree) => sides.into_iter().nth(degree as usize),
                 None => sides.into_iter().next(),
@@ -504,9 +594,14 @@ impl<'a> Judge<'a> {
             let (row, column) = first_difference(&left, &right).unwrap_or((0, 0));
             let (a, b) = (&left[row][column], &right[row][column]);
             let point = evaluator.point();
-            let drawn = point.drawn().iter().filter(|(name, _)| names.contains(*name));
+            let drawn = point
+                .drawn()
+                .iter()
+                .filter(|(name, _)| is_shown(name, &finding.names));
             let witness = Witness {
-                point: drawn.map(|(name, value)| (name.clone(), value.clone())).collect(),
+                point: drawn
+                    .map(|(name, value)| (name.clone(), value.clone()))
+                    .collect(),
                 entry: (left.len() > 1 || left[0].len() > 1).then_some((row + 1, column + 1)),
                 left: a.display(&point.extension),
                 right: b.display(&point.extension),
@@ -530,9 +625,16 @@ fn side_parts<'a>(
 ) -> Result<Vec<(Numbers, Numbers)>, String> {
     let Relation { left, right, .. } = &assertion.relation;
     match order {
-        None => Ok(vec![(evaluator.evaluate(left)?, evaluator.evaluate(right)?)]),
+        None => Ok(vec![(
+            evaluator.evaluate(left)?,
+            evaluator.evaluate(right)?,
+        )]),
         Some(order) => {
-            let small: Vec<&str> = order.small.iter().map(|name| name.value.ascii.as_str()).collect();
+            let small: Vec<&str> = order
+                .small
+                .iter()
+                .map(|name| name.value.ascii.as_str())
+                .collect();
             let left = evaluator.parts(left, &small, order.order)?;
             let right = evaluator.parts(right, &small, order.order)?;
             Ok(left.into_iter().zip(right).collect())
@@ -545,8 +647,12 @@ fn compare_numbers(left: &Numbers, right: &Numbers, comparison: Comparison) -> O
     if comparison == Comparison::Equal {
         return Some(first_difference(left, right).is_none());
     }
-    let [[a]] = [left.first()?.as_slice()] else { return None };
-    let [[b]] = [right.first()?.as_slice()] else { return None };
+    let [[a]] = [left.first()?.as_slice()] else {
+        return None;
+    };
+    let [[b]] = [right.first()?.as_slice()] else {
+        return None;
+    };
     let difference = a.difference(b).as_rational()?;
     let wanted = allowed(comparison);
     Some(match difference.cmp(&Rational::ZERO) {
@@ -557,20 +663,20 @@ fn compare_numbers(left: &Numbers, right: &Numbers, comparison: Comparison) -> O
 }
 
 fn first_difference(left: &Numbers, right: &Numbers) -> Option<(usize, usize)> {
-    let mut places = (0..left.len()).flat_map(|row| (0..left[row].len()).map(move |column| (row, column)));
+    let mut places =
+        (0..left.len()).flat_map(|row| (0..left[row].len()).map(move |column| (row, column)));
     places.find(|(row, column)| {
         let other = right.get(*row).and_then(|line| line.get(*column));
         other.is_none_or(|other| !left[*row][*column].difference(other).is_zero())
     })
 }
 
-/// The names of a point that the sides of an assertion contain: `m`, `dt(x)`, `cos(alpha_0)`.
-fn shown_names(explanation: &Explanation) -> std::collections::BTreeSet<String> {
-    let mut names = std::collections::BTreeSet::new();
-    for expression in explanation.left.iter().chain(&explanation.right).flatten() {
-        expression.collect_values(&mut names);
-    }
-    names
+/// Whether a point shows a value: its own name is wanted, or it is a value of a function that is.
+fn is_shown(value: &str, names: &BTreeSet<String>) -> bool {
+    let function = value
+        .split_once('(')
+        .map(|(function, _)| format!("{function}("));
+    names.contains(value) || function.is_some_and(|function| names.contains(&function))
 }
 
 fn disagreement(span: &Span) -> Diagnostic {

@@ -11,15 +11,14 @@ use super::assertion::{Assertion, Finding, Judge};
 use super::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
 use super::document::{Document, parse_document_with};
 use super::elaboration::{Elaborator, algebra};
-use super::evaluation::evaluator::Evaluator;
-use super::evaluation::number::Number;
 use super::matching::Matched;
+use super::matching_check::MatchingCheck;
 use super::name::Aliases;
 use super::quantity::Quantity;
 use super::scope::{Meaning, SymbolKind};
 use super::syntax::{
-    BinaryOperator, Comparison, Expectation, Expression, Name, Place, Relation, Sign, Span, Spanned,
-    Statement, StatementKind,
+    BinaryOperator, Comparison, Expectation, Expression, Name, Place, Relation, Sign, Span,
+    Spanned, Statement, StatementKind,
 };
 use super::unit::Unit;
 use super::verdict::Claim;
@@ -84,20 +83,24 @@ pub fn audit(source: &SourceFile, library: &dyn Library) -> Result<Audit, Box<Re
     let signs = reader.signs();
     let mut judge = Judge::new(&reader.elaborator.scope, &reader.assumptions, signs);
     let rejected = |diagnostic| {
-        Box::new(Rejected { source: source.clone(), diagnostics: vec![diagnostic] })
+        Box::new(Rejected {
+            source: source.clone(),
+            diagnostics: vec![diagnostic],
+        })
     };
     let mut claims = Vec::new();
     for finding in &read.findings {
-        let t = std::time::Instant::now();
         claims.push(judge.judge(finding).map_err(rejected)?);
-        eprintln!("JUDGE {} {}", finding.assertion.line, t.elapsed().as_micros());
     }
     for check in &read.checks {
-        let t = std::time::Instant::now();
         check.confirm(&mut judge).map_err(rejected)?;
-        eprintln!("CHECK 0 {}", t.elapsed().as_micros());
     }
-    Ok(Audit { path: source.path.clone(), title: read.title, claims, matchings: read.matchings })
+    Ok(Audit {
+        path: source.path.clone(),
+        title: read.title,
+        claims,
+        matchings: read.matchings,
+    })
 }
 
 /// Reads documents into one scope.
@@ -121,8 +124,12 @@ struct Read {
 
 impl Reader<'_> {
     fn read(&mut self, source: &SourceFile) -> Result<Read, Box<Rejected>> {
-        let reject =
-            |diagnostics| Box::new(Rejected { source: source.clone(), diagnostics });
+        let reject = |diagnostics| {
+            Box::new(Rejected {
+                source: source.clone(),
+                diagnostics,
+            })
+        };
         let mut read = Read::default();
         // Imports come first: they declare spellings that the rest is parsed with.
         let document: Document = loop {
@@ -137,9 +144,8 @@ impl Reader<'_> {
         for statement in &document.statements {
             self.elaborator.fresh();
             let line = line_of(&source.text, statement.span.start);
-            let t = std::time::Instant::now();
-            self.execute(statement, line, &mut read).map_err(|error| reject(vec![error]))?;
-            eprintln!("TIME {line} {}", t.elapsed().as_micros());
+            self.execute(statement, line, &mut read)
+                .map_err(|error| reject(vec![error]))?;
         }
         Ok(read)
     }
@@ -148,18 +154,26 @@ impl Reader<'_> {
     fn import(&mut self, document: &Document, source: &SourceFile) -> Result<usize, Box<Rejected>> {
         let mut count = 0;
         for statement in &document.statements {
-            let StatementKind::Import { path } = &statement.kind else { continue };
+            let StatementKind::Import { path } = &statement.kind else {
+                continue;
+            };
             let reject = |kind, message: String, label: String, help: &str| {
                 let diagnostic = Diagnostic::new(kind, path.span.clone(), message)
                     .with_label(label)
                     .with_help(help);
-                Box::new(Rejected { source: source.clone(), diagnostics: vec![diagnostic] })
+                Box::new(Rejected {
+                    source: source.clone(),
+                    diagnostics: vec![diagnostic],
+                })
             };
-            let imported = self.library.read(&path.value, &source.path).map_err(|reason| {
-                let message = format!("`{}` cannot be imported", path.value);
-                let help = "the path is relative to the document that imports";
-                reject(DiagnosticKind::MissingFile, message, reason, help)
-            })?;
+            let imported = self
+                .library
+                .read(&path.value, &source.path)
+                .map_err(|reason| {
+                    let message = format!("`{}` cannot be imported", path.value);
+                    let help = "the path is relative to the document that imports";
+                    reject(DiagnosticKind::MissingFile, message, reason, help)
+                })?;
             if self.finished.contains(&imported.path) {
                 continue;
             }
@@ -168,7 +182,12 @@ impl Reader<'_> {
                 chain.extend([source.path.clone(), imported.path.clone()]);
                 let message = format!("`{}` imports itself", imported.path);
                 let help = "move what both need into a third document";
-                return Err(reject(DiagnosticKind::CircularImport, message, chain.join(" → "), help));
+                return Err(reject(
+                    DiagnosticKind::CircularImport,
+                    message,
+                    chain.join(" → "),
+                    help,
+                ));
             }
             self.open.push(source.path.clone());
             self.read(&imported)?;
@@ -188,38 +207,84 @@ impl Reader<'_> {
         let span = &statement.span;
         match &statement.kind {
             StatementKind::Import { .. } => Ok(()),
-            StatementKind::Parameter { names, unit, sign, description } => {
+            StatementKind::Parameter {
+                names,
+                unit,
+                sign,
+                description,
+            } => {
                 let unit = Unit::parse(unit)?;
                 for name in names {
-                    let generator = Generator::Constant { name: name.value.ascii.clone() };
-                    self.symbol(name, generator, &unit, SymbolKind::Parameter, *sign, description)?;
+                    let generator = Generator::Constant {
+                        name: name.value.ascii.clone(),
+                    };
+                    self.symbol(
+                        name,
+                        generator,
+                        &unit,
+                        SymbolKind::Parameter,
+                        *sign,
+                        description,
+                    )?;
                 }
                 Ok(())
             }
             StatementKind::Angle { names, description } => {
                 for name in names {
-                    let generator = Generator::Angle { name: name.value.ascii.clone() };
-                    self.symbol(name, generator, &Unit::one(), SymbolKind::Angle, None, description)?;
+                    let generator = Generator::Angle {
+                        name: name.value.ascii.clone(),
+                    };
+                    self.symbol(
+                        name,
+                        generator,
+                        &Unit::one(),
+                        SymbolKind::Angle,
+                        None,
+                        description,
+                    )?;
                 }
                 Ok(())
             }
-            StatementKind::Coordinate { names, unit, description } => {
+            StatementKind::Coordinate {
+                names,
+                unit,
+                description,
+            } => {
                 let angular = unit.value.trim() == "rad";
                 let unit = Unit::parse(unit)?;
-                let kind =
-                    if angular { SymbolKind::AngularCoordinate } else { SymbolKind::Coordinate };
+                let kind = if angular {
+                    SymbolKind::AngularCoordinate
+                } else {
+                    SymbolKind::Coordinate
+                };
                 for name in names {
                     let ascii = name.value.ascii.clone();
-                    let generator = Generator::Coordinate { name: ascii, order: 0, angular };
+                    let generator = Generator::Coordinate {
+                        name: ascii,
+                        order: 0,
+                        angular,
+                    };
                     self.symbol(name, generator, &unit, kind, None, description)?;
                 }
                 Ok(())
             }
             StatementKind::Imaginary { name } => {
                 let generator = Generator::ImaginaryUnit;
-                self.symbol(name, generator, &Unit::one(), SymbolKind::Imaginary, None, &None)
+                self.symbol(
+                    name,
+                    generator,
+                    &Unit::one(),
+                    SymbolKind::Imaginary,
+                    None,
+                    &None,
+                )
             }
-            StatementKind::Function { names, reference, unit, description } => {
+            StatementKind::Function {
+                names,
+                reference,
+                unit,
+                description,
+            } => {
                 let unit = Unit::parse(unit)?;
                 let argument = self.elaborator.scalar(reference)?;
                 for name in names {
@@ -228,14 +293,18 @@ impl Reader<'_> {
                         argument: argument.clone(),
                         unit: unit.clone(),
                     };
-                    self.elaborator.scope.declare(name, meaning, description.clone())?;
+                    self.elaborator
+                        .scope
+                        .declare(name, meaning, description.clone())?;
                 }
                 Ok(())
             }
             StatementKind::Assume { relation, .. } => self.assume(relation, span),
-            StatementKind::Definition { names, arguments, values } => {
-                self.define(names, arguments, values)
-            }
+            StatementKind::Definition {
+                names,
+                arguments,
+                values,
+            } => self.define(names, arguments, values),
             StatementKind::Substitution { name, replacements } => {
                 let place = Place::Replacements(replacements.clone());
                 self.elaborator.substitution(&place, span)?;
@@ -246,7 +315,13 @@ impl Reader<'_> {
                 };
                 self.elaborator.scope.declare(name, meaning, None)
             }
-            StatementKind::Assertion { expectation, label, relation, order, description } => {
+            StatementKind::Assertion {
+                expectation,
+                label,
+                relation,
+                order,
+                description,
+            } => {
                 let assertion = Assertion {
                     label: label.clone(),
                     expectation: *expectation,
@@ -257,12 +332,22 @@ impl Reader<'_> {
                     span: span.clone(),
                 };
                 if std::env::var("REPEAT").is_ok_and(|l| l == line.to_string()) {
-                    for _ in 0..200 { self.elaborator.fresh(); std::hint::black_box(self.elaborator.find(&assertion)?); }
+                    for _ in 0..200 {
+                        self.elaborator.fresh();
+                        std::hint::black_box(self.elaborator.find(&assertion)?);
+                    }
                 }
                 read.findings.push(self.elaborator.find(&assertion)?);
                 Ok(())
             }
-            StatementKind::Eigenpair { label, stiffness, mass, value, vector, description } => {
+            StatementKind::Eigenpair {
+                label,
+                stiffness,
+                mass,
+                value,
+                vector,
+                description,
+            } => {
                 self.non_zero_vector(vector)?;
                 let of = |matrix: &Expression| {
                     let (a, b) = (matrix.clone(), vector.clone());
@@ -287,7 +372,8 @@ impl Reader<'_> {
             }
             StatementKind::Match(matching) => {
                 let matched = self.elaborator.match_coefficients(matching, line)?;
-                read.checks.push(MatchingCheck::new(&matched, &statement.span));
+                read.checks
+                    .push(MatchingCheck::new(&matched, &statement.span));
                 read.matchings.push(matched);
                 Ok(())
             }
@@ -304,7 +390,9 @@ impl Reader<'_> {
         description: &Option<String>,
     ) -> Result<(), Diagnostic> {
         let ring = &mut self.elaborator.ring;
-        let symbol = ring.symbol(generator).map_err(|error| algebra(error, &name.span))?;
+        let symbol = ring
+            .symbol(generator)
+            .map_err(|error| algebra(error, &name.span))?;
         let signs = match sign {
             None => Signs::ANY,
             Some(Sign::Positive) => Signs::POSITIVE,
@@ -312,8 +400,14 @@ impl Reader<'_> {
             Some(Sign::NonZero) => Signs::NON_ZERO,
         };
         ring.assumptions_mut().assume_symbol(symbol, signs);
-        let meaning = Meaning::Symbol { symbol, unit: unit.clone(), kind };
-        self.elaborator.scope.declare(name, meaning, description.clone())
+        let meaning = Meaning::Symbol {
+            symbol,
+            unit: unit.clone(),
+            kind,
+        };
+        self.elaborator
+            .scope
+            .declare(name, meaning, description.clone())
     }
 
     fn assume(&mut self, relation: &Relation, span: &Span) -> Result<(), Diagnostic> {
@@ -331,9 +425,11 @@ impl Reader<'_> {
             Comparison::GreaterOrEqual => Signs::NON_NEGATIVE.opposite(),
             Comparison::Equal => {
                 let message = "only inequalities can be assumed";
-                return Err(Diagnostic::new(DiagnosticKind::Unsupported, span.clone(), message)
-                    .with_label("an equation")
-                    .with_help("define one side by the other with `:=`"));
+                return Err(
+                    Diagnostic::new(DiagnosticKind::Unsupported, span.clone(), message)
+                        .with_label("an equation")
+                        .with_help("define one side by the other with `:=`"),
+                );
             }
         };
         let ring = &mut self.elaborator.ring;
@@ -343,12 +439,15 @@ impl Reader<'_> {
         let below = below.map_err(|error| algebra(error, span))?;
         if !below.is_positive() {
             let message = "an assumption must be an inequality between polynomials";
-            return Err(Diagnostic::new(DiagnosticKind::Unsupported, span.clone(), message)
-                .with_help("multiply it by its denominator, whose sign must be known"));
+            return Err(
+                Diagnostic::new(DiagnosticKind::Unsupported, span.clone(), message)
+                    .with_help("multiply it by its denominator, whose sign must be known"),
+            );
         }
         let (above, signs) = (difference.numerator().clone(), signs);
         if signs.negative {
-            ring.assumptions_mut().assume_polynomial(-&above, signs.opposite());
+            ring.assumptions_mut()
+                .assume_polynomial(-&above, signs.opposite());
         } else {
             ring.assumptions_mut().assume_polynomial(above, signs);
         }
@@ -363,12 +462,19 @@ impl Reader<'_> {
         values: &[Expression],
     ) -> Result<(), Diagnostic> {
         for (place, argument) in arguments.iter().enumerate() {
-            if let Some(earlier) = arguments[..place].iter().find(|e| e.value == argument.value) {
+            if let Some(earlier) = arguments[..place]
+                .iter()
+                .find(|e| e.value == argument.value)
+            {
                 let message = format!("two arguments are called `{}`", argument.value);
-                return Err(Diagnostic::new(DiagnosticKind::Duplicate, argument.span.clone(), message)
-                    .with_label("the same again")
-                    .with_secondary(earlier.span.clone(), "the first one")
-                    .with_help("give each argument a name of its own"));
+                return Err(Diagnostic::new(
+                    DiagnosticKind::Duplicate,
+                    argument.span.clone(),
+                    message,
+                )
+                .with_label("the same again")
+                .with_secondary(earlier.span.clone(), "the first one")
+                .with_help("give each argument a name of its own"));
             }
         }
         for (name, expression) in names.iter().zip(values) {
@@ -382,7 +488,10 @@ impl Reader<'_> {
                 }
             } else {
                 Meaning::Template {
-                    arguments: arguments.iter().map(|argument| argument.value.clone()).collect(),
+                    arguments: arguments
+                        .iter()
+                        .map(|argument| argument.value.clone())
+                        .collect(),
                     expression: expression.clone(),
                 }
             };
@@ -420,64 +529,9 @@ impl Reader<'_> {
 
 /// The line of a byte of a text, counted from 1.
 fn line_of(text: &str, offset: usize) -> usize {
-    text.bytes().take(offset).filter(|byte| *byte == b'\n').count() + 1
-}
-
-/// What is evaluated at points to check a matching: exact − assumed against the residual, power by
-/// power, with the solution put in.
-struct MatchingCheck {
-    exact: Expression,
-    assumed: Expression,
-    variable: String,
-    residuals: BTreeMap<u32, Expression>,
-    span: Span,
-}
-
-impl MatchingCheck {
-    fn new(matched: &Matched, span: &Span) -> Self {
-        let (exact, assumed) = matched.polynomials.clone();
-        let place = Place::Named(matched.name.clone());
-        let assumed = Expression::made(super::syntax::Node::At(Box::new(assumed), place));
-        let residuals = matched.table.iter().map(|row| (row.power, row.residual.clone()));
-        MatchingCheck {
-            exact,
-            assumed,
-            variable: matched.variable.ascii.clone(),
-            residuals: residuals.collect(),
-            span: span.clone(),
-        }
-    }
-
-    fn confirm<'a>(&'a self, judge: &mut Judge<'a>) -> Result<(), Diagnostic> {
-        let outcome = judge.at_checkpoints(|evaluator| {
-            let power = match self.differs(evaluator) {
-                Ok(None) => return Ok(Ok(())),
-                Ok(Some(power)) => power,
-                Err(reason) => return Ok(Err(reason)),
-            };
-            let message = "the matching fails at a random point";
-            Err(Diagnostic::new(DiagnosticKind::Disagreement, self.span.clone(), message)
-                .with_label(format!("at the power {power}"))
-                .with_help("this is a mistake of sextic, not of the document: please report it"))
-        })?;
-        outcome.map(drop).map_err(|reason| {
-            let message = "this matching cannot be checked at a point";
-            Diagnostic::new(DiagnosticKind::Unsupported, self.span.clone(), message)
-                .with_label(reason)
-        })
-    }
-
-    /// The first power at which the residual is not what it was found to be.
-    fn differs<'a>(&'a self, evaluator: &mut Evaluator<'a>) -> Result<Option<u32>, String> {
-        let exact = evaluator.coefficients(&self.exact, &self.variable)?;
-        let assumed = evaluator.coefficients(&self.assumed, &self.variable)?;
-        for (power, residual) in &self.residuals {
-            let of = |side: &[Number]| side.get(*power as usize).cloned().unwrap_or_default();
-            let difference = of(&exact).difference(&of(&assumed));
-            if evaluator.evaluate(residual)?[0][0] != difference {
-                return Ok(Some(*power));
-            }
-        }
-        Ok(None)
-    }
+    text.bytes()
+        .take(offset)
+        .filter(|byte| *byte == b'\n')
+        .count()
+        + 1
 }

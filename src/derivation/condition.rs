@@ -45,7 +45,11 @@ impl Conditions {
     /// # Errors
     ///
     /// [`AlgebraError::Exhausted`]
-    pub fn require_non_zero(&mut self, element: &Fraction, ring: &Ring) -> Result<(), AlgebraError> {
+    pub fn require_non_zero(
+        &mut self,
+        element: &Fraction,
+        ring: &Ring,
+    ) -> Result<(), AlgebraError> {
         for (factor, exponent) in ring.factored(element)?.factors {
             if exponent > 0 && !ring.polynomial_signs(&factor)?.is_non_zero() {
                 self.required.insert((Requirement::NonZero, factor));
@@ -59,10 +63,17 @@ impl Conditions {
     /// # Errors
     ///
     /// [`AlgebraError::Exhausted`]
-    pub fn require_positive(&mut self, element: &Fraction, ring: &Ring) -> Result<(), AlgebraError> {
+    pub fn require_positive(
+        &mut self,
+        element: &Fraction,
+        ring: &Ring,
+    ) -> Result<(), AlgebraError> {
         if !ring.signs(element)?.is_positive() {
-            let product = element.numerator().multiply(element.denominator(), ring.budget())?;
-            self.required.insert((Requirement::Positive, ring.shorten(&product)?));
+            let product = element
+                .numerator()
+                .multiply(element.denominator(), ring.budget())?;
+            self.required
+                .insert((Requirement::Positive, ring.shorten(&product)?));
         }
         Ok(())
     }

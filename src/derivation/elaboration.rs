@@ -93,22 +93,27 @@ impl Elaborator {
             .map_err(|exhausted| algebra(AlgebraError::Exhausted(exhausted), span))?;
         if self.nesting >= DEEPEST_NESTING {
             let message = "calls and brackets are nested too deeply";
-            return Err(Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
-                .with_label(format!("more than {DEEPEST_NESTING} within each other"))
-                .with_help("give names to parts with `:=`"));
+            return Err(
+                Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+                    .with_label(format!("more than {DEEPEST_NESTING} within each other"))
+                    .with_help("give names to parts with `:=`"),
+            );
         }
         self.nesting += 1;
         let value = self.value_of_node(expression, span);
         self.nesting -= 1;
         let value = value?;
-        let terms = |entry: &Quantity| entry.value.numerator().len() + entry.value.denominator().len();
+        let terms =
+            |entry: &Quantity| entry.value.numerator().len() + entry.value.denominator().len();
         if value.entries().iter().map(terms).sum::<usize>() > MOST_TERMS_OF_A_VALUE {
             let message = format!(
                 "this is too large to compute: its entries have more than {MOST_TERMS_OF_A_VALUE} terms"
             );
-            return Err(Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
-                .with_label("given up here")
-                .with_help("compute with fewer entries at a time"));
+            return Err(
+                Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+                    .with_label("given up here")
+                    .with_help("compute with fewer entries at a time"),
+            );
         }
         Ok(value)
     }
@@ -123,9 +128,11 @@ impl Elaborator {
                 Ok(value.map(|entry| Quantities(&self.ring).negative(entry)))
             }
             Node::Binary(operator, left, right) => self.binary(*operator, left, right, span),
-            Node::Call { function, order, arguments } => {
-                self.call(function, *order, arguments, span)
-            }
+            Node::Call {
+                function,
+                order,
+                arguments,
+            } => self.call(function, *order, arguments, span),
             Node::Matrix(rows) => self.blocks(rows, span),
             Node::Index(matrix, indices) => self.entry(matrix, indices, span),
             Node::At(inner, place) => self.at(inner, place, span),
@@ -141,8 +148,11 @@ impl Elaborator {
         let value = self.value(expression)?;
         if value.shape() != (1, 1) {
             let (rows, columns) = value.shape();
-            return Err(shape(&expression.span, format!("this is a {rows}×{columns} matrix"))
-                .with_help("a single number is needed here; take an entry with [row, column]"));
+            return Err(shape(
+                &expression.span,
+                format!("this is a {rows}×{columns} matrix"),
+            )
+            .with_help("a single number is needed here; take an entry with [row, column]"));
         }
         Ok(value.at(0, 0).clone())
     }
@@ -171,7 +181,11 @@ impl Elaborator {
     }
 
     fn named(&mut self, name: &Name, span: &Span) -> Result<Value, Diagnostic> {
-        if let Some(value) = self.arguments.last().and_then(|known| known.get(&name.ascii)) {
+        if let Some(value) = self
+            .arguments
+            .last()
+            .and_then(|known| known.get(&name.ascii))
+        {
             return Ok(value.clone());
         }
         match &self.scope.find(name, span)?.meaning {
@@ -179,22 +193,28 @@ impl Elaborator {
                 Ok(Quantity::new(self.ring.element(*symbol), unit.clone()).scalar())
             }
             Meaning::Function { .. } => self.function_value(name, 0, None, span),
-            Meaning::Definition { value, conditions, .. } => {
+            Meaning::Definition {
+                value, conditions, ..
+            } => {
                 self.conditions.extend(conditions);
                 Ok(value.clone())
             }
             Meaning::Template { arguments, .. } => {
                 let count = arguments.len();
                 let message = format!("`{name}` needs arguments");
-                Err(Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
-                    .with_label(format!("{count} wanted"))
-                    .with_help(format!("write `{name}(…)`")))
+                Err(
+                    Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
+                        .with_label(format!("{count} wanted"))
+                        .with_help(format!("write `{name}(…)`")),
+                )
             }
             Meaning::Substitution { .. } => {
                 let message = format!("`{name}` is a substitution, not a value");
-                Err(Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
-                    .with_label("used as a value")
-                    .with_help(format!("write `… at {name}`")))
+                Err(
+                    Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
+                        .with_label("used as a value")
+                        .with_help(format!("write `… at {name}`")),
+                )
             }
         }
     }
@@ -207,12 +227,18 @@ impl Elaborator {
         argument: Option<Quantity>,
         span: &Span,
     ) -> Result<Value, Diagnostic> {
-        let Meaning::Function { argument: reference, unit, .. } = &self.scope.find(name, span)?.meaning
+        let Meaning::Function {
+            argument: reference,
+            unit,
+            ..
+        } = &self.scope.find(name, span)?.meaning
         else {
             let message = format!("`{name}` is not declared as a function");
-            return Err(Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
-                .with_label("a prime asks for the derivative of a function")
-                .with_help(format!("declare it with `function {name} at … : …`")));
+            return Err(
+                Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
+                    .with_label("a prime asks for the derivative of a function")
+                    .with_help(format!("declare it with `function {name} at … : …`")),
+            );
         };
         let unit = unit.clone();
         let argument = argument.unwrap_or_else(|| reference.clone());
@@ -242,19 +268,30 @@ impl Elaborator {
                 let argument = self.scalar(argument)?;
                 self.function_value(function, order, Some(argument), span)
             }
-            Some(Meaning::Template { arguments: names, expression }) => {
+            Some(Meaning::Template {
+                arguments: names,
+                expression,
+            }) => {
                 if names.len() != arguments.len() {
                     return Err(argument_count(function, names.len(), arguments.len(), span));
                 }
                 if self.arguments.len() >= DEEPEST_CALL {
                     let message = format!("`{function}` calls itself too deeply");
-                    return Err(Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
-                        .with_label(format!("more than {DEEPEST_CALL} calls within each other"))
-                        .with_help("a definition cannot call itself"));
+                    return Err(
+                        Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+                            .with_label(format!("more than {DEEPEST_CALL} calls within each other"))
+                            .with_help("a definition cannot call itself"),
+                    );
                 }
-                let values: Result<Vec<Value>, Diagnostic> =
-                    arguments.iter().map(|argument| self.value(argument)).collect();
-                let local = names.into_iter().map(|name| name.ascii).zip(values?).collect();
+                let values: Result<Vec<Value>, Diagnostic> = arguments
+                    .iter()
+                    .map(|argument| self.value(argument))
+                    .collect();
+                let local = names
+                    .into_iter()
+                    .map(|name| name.ascii)
+                    .zip(values?)
+                    .collect();
                 self.arguments.push(local);
                 let value = self.value(&expression);
                 self.arguments.pop();
@@ -262,9 +299,11 @@ impl Elaborator {
             }
             Some(_) => {
                 let message = format!("`{function}` is not a function");
-                Err(Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
-                    .with_label("called with arguments")
-                    .with_help(format!("for a product write `{function}*(…)`")))
+                Err(
+                    Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
+                        .with_label("called with arguments")
+                        .with_help(format!("for a product write `{function}*(…)`")),
+                )
             }
             None => self.built_in(function, order, arguments, span),
         }
@@ -327,7 +366,9 @@ impl Elaborator {
         if element.is_zero() {
             return Err(algebra(AlgebraError::DivisionByZero, span));
         }
-        self.conditions.require_non_zero(element, &self.ring).map_err(|error| algebra(error, span))
+        self.conditions
+            .require_non_zero(element, &self.ring)
+            .map_err(|error| algebra(error, span))
     }
 
     fn power(
@@ -378,15 +419,31 @@ impl Elaborator {
             if exponent < 0 {
                 self.require_non_zero(&base.value, &at.span)?;
             }
-            let value = self.ring.power(&base.value, exponent).map_err(|error| algebra(error, span))?;
-            let unit = base.unit.as_ref().map(|unit| unit.power(&Rational::from(exponent)));
-            return Ok(Quantity { value, unit: if exponent == 0 { Some(Unit::one()) } else { unit } }
-                .scalar());
+            let value = self
+                .ring
+                .power(&base.value, exponent)
+                .map_err(|error| algebra(error, span))?;
+            let unit = base
+                .unit
+                .as_ref()
+                .map(|unit| unit.power(&Rational::from(exponent)));
+            return Ok(Quantity {
+                value,
+                unit: if exponent == 0 {
+                    Some(Unit::one())
+                } else {
+                    unit
+                },
+            }
+            .scalar());
         }
         if !base.is_square() || !(-1..=8).contains(&exponent) {
             let (rows, columns) = base.shape();
-            return Err(shape(span, format!("a {rows}×{columns} matrix to the power {exponent}"))
-                .with_help("square matrices have the powers −1, 0, 1, …, 8"));
+            return Err(shape(
+                span,
+                format!("a {rows}×{columns} matrix to the power {exponent}"),
+            )
+            .with_help("square matrices have the powers −1, 0, 1, …, 8"));
         }
         if exponent < 0 {
             return self.inverse(base, &at.span);
@@ -404,16 +461,20 @@ impl Elaborator {
     pub fn inverse(&mut self, matrix: &Value, span: &Span) -> Result<Value, Diagnostic> {
         if !matrix.is_square() {
             let (rows, columns) = matrix.shape();
-            return Err(shape(span, format!("a {rows}×{columns} matrix has no inverse"))
-                .with_help("only square matrices have one"));
+            return Err(
+                shape(span, format!("a {rows}×{columns} matrix has no inverse"))
+                    .with_help("only square matrices have one"),
+            );
         }
         let below = self.determinant(matrix, span)?;
         let above = self.adjugate(matrix, span)?;
         if below.value.is_zero() {
             let message = "the determinant of this matrix is identically 0";
-            return Err(Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
-                .with_label("has no inverse")
-                .with_help("look at its null space with `kernel(…)`"));
+            return Err(
+                Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
+                    .with_label("has no inverse")
+                    .with_help("look at its null space with `kernel(…)`"),
+            );
         }
         self.divide(&above, &below, span)
     }
@@ -432,15 +493,24 @@ impl Elaborator {
 
     /// √q, which is real for q ≥ 0.
     pub fn root(&mut self, square: &Quantity, span: &Span) -> Result<Quantity, Diagnostic> {
-        let value = self.ring.square_root(&square.value).map_err(|error| algebra(error, span))?;
-        let signs = self.ring.signs(&square.value).map_err(|error| algebra(error, span))?;
+        let value = self
+            .ring
+            .square_root(&square.value)
+            .map_err(|error| algebra(error, span))?;
+        let signs = self
+            .ring
+            .signs(&square.value)
+            .map_err(|error| algebra(error, span))?;
         if !signs.is_non_negative() {
             self.conditions
                 .require_positive(&square.value, &self.ring)
                 .map_err(|error| algebra(error, span))?;
         }
         let half = Rational::ONE / Rational::from(2);
-        Ok(Quantity { value, unit: square.unit.as_ref().map(|unit| unit.power(&half)) })
+        Ok(Quantity {
+            value,
+            unit: square.unit.as_ref().map(|unit| unit.power(&half)),
+        })
     }
 
     /// A matrix of blocks: the entries of a row have equally many rows, the rows equally many columns.
@@ -467,12 +537,16 @@ impl Elaborator {
         let width = lines.first().map_or(0, Vec::len);
         if lines.iter().any(|line| line.len() != width) {
             let widths: Vec<String> = lines.iter().map(|line| line.len().to_string()).collect();
-            return Err(shape(span, "the rows of a matrix have different lengths".into())
-                .with_label(format!("lengths {}", widths.join(", ")))
-                .with_help("`,` stands between the entries of a row, `;` between rows"));
+            return Err(
+                shape(span, "the rows of a matrix have different lengths".into())
+                    .with_label(format!("lengths {}", widths.join(", ")))
+                    .with_help("`,` stands between the entries of a row, `;` between rows"),
+            );
         }
         check_sides(lines.len(), width, span)?;
-        Ok(Matrix::from_fn(lines.len(), width, |row, column| lines[row][column].clone()))
+        Ok(Matrix::from_fn(lines.len(), width, |row, column| {
+            lines[row][column].clone()
+        }))
     }
 
     fn entry(
@@ -491,14 +565,19 @@ impl Elaborator {
             [place] if value.columns() == 1 => (place, 1),
             [place] if value.rows() == 1 => (1, place),
             _ => {
-                return Err(shape(span, "an entry of a matrix has a row and a column".into())
-                    .with_help("write `M[1, 3]`, or `v[2]` for a vector"));
+                return Err(
+                    shape(span, "an entry of a matrix has a row and a column".into())
+                        .with_help("write `M[1, 3]`, or `v[2]` for a vector"),
+                );
             }
         };
         let (rows, columns) = value.shape();
         if row < 1 || column < 1 || row > rows || column > columns {
-            return Err(shape(span, format!("a {rows}×{columns} matrix has no entry [{row}, {column}]"))
-                .with_help("rows and columns count from 1"));
+            return Err(shape(
+                span,
+                format!("a {rows}×{columns} matrix has no entry [{row}, {column}]"),
+            )
+            .with_help("rows and columns count from 1"));
         }
         Ok(value.at(row - 1, column - 1).clone().scalar())
     }
@@ -507,12 +586,15 @@ impl Elaborator {
     pub fn natural(&mut self, expression: &Expression) -> Result<usize, Diagnostic> {
         let number = self.scalar(expression)?.value.as_constant();
         let small = number.as_ref().and_then(small_integer);
-        small.and_then(|n| usize::try_from(n).ok()).filter(|n| *n <= MOST_ROWS).ok_or_else(|| {
-            let message = "a small whole number is needed here";
-            Diagnostic::new(DiagnosticKind::Arguments, expression.span.clone(), message)
-                .with_label(format!("not one of 0, 1, …, {MOST_ROWS}"))
-                .with_help("places, sizes, powers and orders are plain numbers, and not larger")
-        })
+        small
+            .and_then(|n| usize::try_from(n).ok())
+            .filter(|n| *n <= MOST_ROWS)
+            .ok_or_else(|| {
+                let message = "a small whole number is needed here";
+                Diagnostic::new(DiagnosticKind::Arguments, expression.span.clone(), message)
+                    .with_label(format!("not one of 0, 1, …, {MOST_ROWS}"))
+                    .with_help("places, sizes, powers and orders are plain numbers, and not larger")
+            })
     }
 
     fn at(&mut self, inner: &Expression, place: &Place, span: &Span) -> Result<Value, Diagnostic> {
@@ -520,8 +602,9 @@ impl Elaborator {
         let value = self.value(inner)?;
         let needed = std::mem::replace(&mut self.conditions, outer);
         let substitution = self.substitution(place, span)?;
-        let needed =
-            needed.substitute(&substitution, &mut self.ring).map_err(|error| algebra(error, span))?;
+        let needed = needed
+            .substitute(&substitution, &mut self.ring)
+            .map_err(|error| algebra(error, span))?;
         self.conditions.extend(&needed);
         value.try_map(|entry| {
             let image = self.ring.substitute(&entry.value, &substitution);
@@ -539,29 +622,40 @@ impl Elaborator {
             Place::Named(name) => name,
         };
         let replacements = match self.scope.get(name).map(|entry| &entry.meaning) {
-            Some(Meaning::Substitution { replacements, conditions, .. }) => {
+            Some(Meaning::Substitution {
+                replacements,
+                conditions,
+                ..
+            }) => {
                 self.conditions.extend(conditions);
                 replacements.clone()
             }
             Some(_) => {
                 let message = format!("`{name}` is not a substitution");
-                return Err(Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
-                    .with_label("cannot be used behind `at`")
-                    .with_help("write `at (x = 0)`, or declare the replacements with `substitution`"));
+                return Err(
+                    Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
+                        .with_label("cannot be used behind `at`")
+                        .with_help(
+                            "write `at (x = 0)`, or declare the replacements with `substitution`",
+                        ),
+                );
             }
             None => {
-                let substitutions = self.scope.entries().filter(|entry| {
-                    matches!(entry.meaning, Meaning::Substitution { .. })
-                });
+                let substitutions = self
+                    .scope
+                    .entries()
+                    .filter(|entry| matches!(entry.meaning, Meaning::Substitution { .. }));
                 let names = substitutions.map(|entry| entry.name.unicode.as_str());
                 let help = match nearest(&name.unicode, names) {
                     Some(near) => format!("did you mean `{near}`?"),
                     None => format!("declare it with `substitution {name}: x = 0`"),
                 };
                 let message = format!("there is no substitution `{name}`");
-                return Err(Diagnostic::new(DiagnosticKind::UnknownName, span.clone(), message)
-                    .with_label("unknown name behind `at`")
-                    .with_help(help));
+                return Err(
+                    Diagnostic::new(DiagnosticKind::UnknownName, span.clone(), message)
+                        .with_label("unknown name behind `at`")
+                        .with_help(help),
+                );
             }
         };
         // The arguments of a call mean nothing where the substitution was declared.
@@ -589,9 +683,13 @@ impl Elaborator {
             }
             if substitution.insert(symbol, image.value).is_some() {
                 let message = "this is replaced twice";
-                return Err(Diagnostic::new(DiagnosticKind::Duplicate, target.span.clone(), message)
-                    .with_label("replaced again")
-                    .with_help("replace it once; replacements in one `at` are carried out together"));
+                return Err(Diagnostic::new(
+                    DiagnosticKind::Duplicate,
+                    target.span.clone(),
+                    message,
+                )
+                .with_label("replaced again")
+                .with_help("replace it once; replacements in one `at` are carried out together"));
             }
         }
         self.respect_assumptions(&substitution, replacements, span)?;
@@ -612,23 +710,37 @@ impl Elaborator {
             let symbols = substitution.keys();
             let of_symbols =
                 symbols.map(|symbol| (Polynomial::symbol(*symbol), assumptions.of_symbol(*symbol)));
-            of_symbols.chain(assumptions.polynomials().iter().cloned()).collect()
+            of_symbols
+                .chain(assumptions.polynomials().iter().cloned())
+                .collect()
         };
         for (polynomial, signs) in assumed {
-            if !substitution.keys().any(|symbol| polynomial.contains(*symbol)) {
+            if !substitution
+                .keys()
+                .any(|symbol| polynomial.contains(*symbol))
+            {
                 continue;
             }
             let element = Fraction::from(polynomial.clone());
             let image = self.ring.substitute(&element, substitution).map_err(wrap)?;
             if !self.ring.signs(&image).map_err(wrap)?.is_within(signs) {
-                let shown = Presenter { ring: &self.ring, scope: &self.scope }.polynomial(&polynomial);
+                let shown = Presenter {
+                    ring: &self.ring,
+                    scope: &self.scope,
+                }
+                .polynomial(&polynomial);
                 let shown = Notation::Unicode.expression(&shown.map_err(wrap)?);
-                let place = replacements.iter().find(|replacement| !replacement.value.span.is_empty());
-                let place = place.map_or(span.clone(), |replacement| replacement.value.span.clone());
+                let place = replacements
+                    .iter()
+                    .find(|replacement| !replacement.value.span.is_empty());
+                let place =
+                    place.map_or(span.clone(), |replacement| replacement.value.span.clone());
                 let message = format!("this need not respect what is assumed of {shown}");
                 return Err(Diagnostic::new(DiagnosticKind::Arguments, place, message)
                     .with_label(format!("{shown} must stay {signs}"))
-                    .with_help("replace it by something whose sign follows from the declarations"));
+                    .with_help(
+                        "replace it by something whose sign follows from the declarations",
+                    ));
             }
         }
         Ok(())
@@ -641,9 +753,11 @@ pub fn check_order(order: u32, span: &Span) -> Result<u32, Diagnostic> {
         return Ok(order);
     }
     let message = format!("expansions go up to order {HIGHEST_ORDER}");
-    Err(Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
-        .with_label(format!("order {order}"))
-        .with_help("take coefficients of a polynomial with `coefficient(…)`"))
+    Err(
+        Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+            .with_label(format!("order {order}"))
+            .with_help("take coefficients of a polynomial with `coefficient(…)`"),
+    )
 }
 
 /// Allows a matrix of so many rows and columns.
@@ -652,9 +766,13 @@ pub fn check_sides(rows: usize, columns: usize, span: &Span) -> Result<(), Diagn
         return Ok(());
     }
     let message = format!("a matrix may have {MOST_ROWS} rows and columns at most");
-    Err(Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
-        .with_label(format!("this one would have {rows} rows and {columns} columns"))
-        .with_help("compute with blocks of it"))
+    Err(
+        Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+            .with_label(format!(
+                "this one would have {rows} rows and {columns} columns"
+            ))
+            .with_help("compute with blocks of it"),
+    )
 }
 
 /// Counts the minors that an expansion along the rows needs, leaving out entries that are 0; each
@@ -676,9 +794,13 @@ fn check_minors(matrix: &Value, weight: usize, span: &Span) -> Result<(), Diagno
                     "this is too large to compute: the determinants of this {rows}×{columns} matrix \
                      need more than {MOST_MINORS} minors"
                 );
-                return Err(Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
-                    .with_label("given up here")
-                    .with_help("break the matrix into blocks, or claim its determinant block by block"));
+                return Err(
+                    Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+                        .with_label("given up here")
+                        .with_help(
+                            "break the matrix into blocks, or claim its determinant block by block",
+                        ),
+                );
             }
         }
         count += next.len();
@@ -690,7 +812,11 @@ fn check_minors(matrix: &Value, weight: usize, span: &Span) -> Result<(), Diagno
 /// The identity matrix.
 pub fn identity(size: usize) -> Value {
     Matrix::from_fn(size, size, |row, column| {
-        Quantity::number(if row == column { Rational::ONE } else { Rational::ZERO })
+        Quantity::number(if row == column {
+            Rational::ONE
+        } else {
+            Rational::ZERO
+        })
     })
 }
 
@@ -708,19 +834,28 @@ fn mismatch(
     span: &Span,
 ) -> Diagnostic {
     let size = |value: &Value| format!("{}×{}", value.rows(), value.columns());
-    shape(span, format!("a {} and a {} matrix cannot be {verb}", size(a), size(b)))
-        .with_label("the shapes do not fit")
-        .with_secondary(left.span.clone(), size(a))
-        .with_secondary(right.span.clone(), size(b))
+    shape(
+        span,
+        format!("a {} and a {} matrix cannot be {verb}", size(a), size(b)),
+    )
+    .with_label("the shapes do not fit")
+    .with_secondary(left.span.clone(), size(a))
+    .with_secondary(right.span.clone(), size(b))
 }
 
 /// A wrong number of arguments.
 pub fn argument_count(function: &Name, wanted: usize, given: usize, span: &Span) -> Diagnostic {
     let message = format!("`{function}` takes {wanted} arguments, not {given}");
-    let message = if wanted == 1 { message.replace("arguments", "argument") } else { message };
+    let message = if wanted == 1 {
+        message.replace("arguments", "argument")
+    } else {
+        message
+    };
     Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
         .with_label(format!("{given} given"))
-        .with_help("separate arguments by `,`; the entries of a vector stand in one pair of brackets")
+        .with_help(
+            "separate arguments by `,`; the entries of a vector stand in one pair of brackets",
+        )
 }
 
 /// What the algebra could not do, at a place of the document.
@@ -763,7 +898,9 @@ pub fn algebra(error: AlgebraError, span: &Span) -> Diagnostic {
             "state a sign with `parameter … > 0` or `assume … > 0`; for √−1 declare `imaginary i`",
         ),
     };
-    Diagnostic::new(kind, span.clone(), message).with_label(label).with_help(help)
+    Diagnostic::new(kind, span.clone(), message)
+        .with_label(label)
+        .with_help(help)
 }
 
 /// What the arithmetic of quantities could not do, at a place of the document.

@@ -15,8 +15,13 @@ impl<'a> Foundation<'a> {
         scope: &'a Scope,
         expressions: impl IntoIterator<Item = &'e Expression>,
     ) -> Vec<(Expression, Expression)> {
-        let mut foundation = Foundation { scope, found: Vec::new() };
-        expressions.into_iter().for_each(|expression| foundation.add(expression, &[]));
+        let mut foundation = Foundation {
+            scope,
+            found: Vec::new(),
+        };
+        expressions
+            .into_iter()
+            .for_each(|expression| foundation.add(expression, &[]));
         foundation.found
     }
 
@@ -33,13 +38,22 @@ impl<'a> Foundation<'a> {
         let scope = self.scope;
         let bare = Expression::name(name.clone());
         match scope.get(name).map(|entry| &entry.meaning) {
-            Some(Meaning::Definition { expression, .. }) => self.add_definition(bare, expression, &[]),
-            Some(Meaning::Template { arguments, expression }) => {
+            Some(Meaning::Definition { expression, .. }) => {
+                self.add_definition(bare, expression, &[])
+            }
+            Some(Meaning::Template {
+                arguments,
+                expression,
+            }) => {
                 let names = arguments.iter().cloned().map(Expression::name).collect();
                 let call = Expression::call(name.clone(), 0, names);
                 self.add_definition(call, expression, arguments);
             }
-            Some(Meaning::Substitution { replacements, sources, .. }) => {
+            Some(Meaning::Substitution {
+                replacements,
+                sources,
+                ..
+            }) => {
                 for source in sources {
                     self.add(source, &[]);
                 }

@@ -20,9 +20,30 @@ use super::unit::Unit;
 
 /// What documents can call without declaring it.
 pub const NAMES: [&str; 24] = [
-    "sin", "cos", "tan", "cot", "sqrt", "angle", "dt", "d", "det", "transpose", "inverse", "adjugate",
-    "trace", "diagonal", "identity", "zero", "row", "column", "submatrix", "kernel", "solve",
-    "coefficient", "hurwitz", "truncate",
+    "sin",
+    "cos",
+    "tan",
+    "cot",
+    "sqrt",
+    "angle",
+    "dt",
+    "d",
+    "det",
+    "transpose",
+    "inverse",
+    "adjugate",
+    "trace",
+    "diagonal",
+    "identity",
+    "zero",
+    "row",
+    "column",
+    "submatrix",
+    "kernel",
+    "solve",
+    "coefficient",
+    "hurwitz",
+    "truncate",
 ];
 
 impl Elaborator {
@@ -40,9 +61,11 @@ impl Elaborator {
     ) -> Result<Value, Diagnostic> {
         if order > 0 && NAMES.contains(&function.ascii.as_str()) {
             let message = format!("the built-in function `{function}` has no primes");
-            return Err(Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
-                .with_label("a prime asks for the derivative of a declared function")
-                .with_help("differentiate with `d(…, x)` or `dt(…)`"));
+            return Err(
+                Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
+                    .with_label("a prime asks for the derivative of a declared function")
+                    .with_help("differentiate with `d(…, x)` or `dt(…)`"),
+            );
         }
         let wrong_count = |wanted| Err(argument_count(function, wanted, arguments.len(), span));
         match (function.ascii.as_str(), arguments) {
@@ -55,7 +78,8 @@ impl Elaborator {
             ("dt", [inner]) => {
                 let value = self.value(inner)?;
                 let per_second = self.per_second();
-                value.try_map(|entry| self.derivative(entry, &Differential::Time, &per_second, span))
+                value
+                    .try_map(|entry| self.derivative(entry, &Differential::Time, &per_second, span))
             }
             ("d", [value, variables]) => self.jacobian(value, variables, span),
             ("det", [matrix]) => {
@@ -75,9 +99,9 @@ impl Elaborator {
                 let matrix = self.square(matrix)?;
                 let arithmetic = Quantities(&self.ring);
                 let diagonal = (0..matrix.rows()).map(|place| matrix.at(place, place));
-                let trace = diagonal.into_iter().try_fold(arithmetic.zero(), |sum, entry| {
-                    arithmetic.sum(&sum, entry)
-                });
+                let trace = diagonal
+                    .into_iter()
+                    .try_fold(arithmetic.zero(), |sum, entry| arithmetic.sum(&sum, entry));
                 Ok(trace.map_err(|error| quantity(error, span))?.scalar())
             }
             ("diagonal", [_, ..]) => {
@@ -87,9 +111,17 @@ impl Elaborator {
                     entries.push(self.scalar(argument)?);
                 }
                 let zero = Quantity::number(Rational::ZERO);
-                Ok(Matrix::from_fn(entries.len(), entries.len(), |row, column| {
-                    if row == column { entries[row].clone() } else { zero.clone() }
-                }))
+                Ok(Matrix::from_fn(
+                    entries.len(),
+                    entries.len(),
+                    |row, column| {
+                        if row == column {
+                            entries[row].clone()
+                        } else {
+                            zero.clone()
+                        }
+                    },
+                ))
             }
             ("identity", [size]) => {
                 let size = self.positive(size)?;
@@ -97,7 +129,9 @@ impl Elaborator {
             }
             ("zero", [rows, columns]) => {
                 let (rows, columns) = (self.positive(rows)?, self.positive(columns)?);
-                Ok(Matrix::from_fn(rows, columns, |_, _| Quantity::number(Rational::ZERO)))
+                Ok(Matrix::from_fn(rows, columns, |_, _| {
+                    Quantity::number(Rational::ZERO)
+                }))
             }
             ("row", [matrix, place]) => {
                 let value = self.value(matrix)?;
@@ -120,10 +154,17 @@ impl Elaborator {
             ("solve", [matrix, right]) => self.solution(matrix, right, span),
             ("coefficient", [polynomial, variable, power]) => {
                 let power = self.natural(power)?;
-                let (variable, polynomial, coefficients) = self.coefficients(polynomial, variable)?;
-                let per = variable.unit.unwrap_or_default().power(&Rational::from(-(power as i64)));
+                let (variable, polynomial, coefficients) =
+                    self.coefficients(polynomial, variable)?;
+                let per = variable
+                    .unit
+                    .unwrap_or_default()
+                    .power(&Rational::from(-(power as i64)));
                 Ok(Quantity {
-                    value: coefficients.get(&(power as u32)).cloned().unwrap_or(self.ring.zero()),
+                    value: coefficients
+                        .get(&(power as u32))
+                        .cloned()
+                        .unwrap_or(self.ring.zero()),
                     unit: polynomial.unit.map(|unit| unit.product(&per)),
                 }
                 .scalar())
@@ -136,21 +177,29 @@ impl Elaborator {
             ("submatrix" | "coefficient" | "hurwitz" | "truncate", _) => wrong_count(3),
             (known, _) if NAMES.contains(&known) => wrong_count(1),
             _ => {
-                let functions = self.scope.entries().map(|entry| entry.name.unicode.as_str());
+                let functions = self
+                    .scope
+                    .entries()
+                    .map(|entry| entry.name.unicode.as_str());
                 let help = match nearest(&function.unicode, functions.chain(NAMES)) {
                     Some(near) => format!("did you mean `{near}`?"),
                     None => format!("there are {}", NAMES.join(", ")),
                 };
                 let message = format!("`{function}` is not a function known here");
-                Err(Diagnostic::new(DiagnosticKind::UnknownName, span.clone(), message)
-                    .with_label("unknown function")
-                    .with_help(help))
+                Err(
+                    Diagnostic::new(DiagnosticKind::UnknownName, span.clone(), message)
+                        .with_label("unknown function")
+                        .with_help(help),
+                )
             }
         }
     }
 
     fn per_second(&self) -> Unit {
-        let seconds = super::syntax::Spanned { value: "1/s".to_string(), span: 0..0 };
+        let seconds = super::syntax::Spanned {
+            value: "1/s".to_string(),
+            span: 0..0,
+        };
         Unit::parse(&seconds).unwrap_or_default()
     }
 
@@ -176,13 +225,21 @@ impl Elaborator {
     ) -> Result<Value, Diagnostic> {
         let quantity = self.scalar(argument)?;
         if let Some(unit) = quantity.unit.filter(|unit| *unit != Unit::one()) {
-            return Err(super::elaboration::units(&unit, &Unit::one(), &argument.span)
-                .with_help("sines and cosines are taken of angles"));
+            return Err(
+                super::elaboration::units(&unit, &Unit::one(), &argument.span)
+                    .with_help("sines and cosines are taken of angles"),
+            );
         }
         let angle = self.ring.angle(&quantity.value).ok_or_else(|| {
-            algebra(crate::algebra::error::AlgebraError::NotAnAngle, &argument.span)
+            algebra(
+                crate::algebra::error::AlgebraError::NotAnAngle,
+                &argument.span,
+            )
         })?;
-        let pair = self.ring.cosine_and_sine(&angle).map_err(|error| algebra(error, span))?;
+        let pair = self
+            .ring
+            .cosine_and_sine(&angle)
+            .map_err(|error| algebra(error, span))?;
         let (cosine, sine) = (pair.0, pair.1);
         let (above, below) = match function {
             "sin" => return Ok(Quantity::new(sine, Unit::one()).scalar()),
@@ -221,12 +278,18 @@ impl Elaborator {
         let f = self.value(value)?;
         let q = self.value(variables)?;
         if f.columns() != 1 || (q.columns() != 1 && q.rows() != 1) {
-            return Err(shape(span, "a derivative is taken of a column, by a vector".into())
-                .with_help("write d([F_x; F_y], [x; y]) for the matrix of derivatives"));
+            return Err(shape(
+                span,
+                "a derivative is taken of a column, by a vector".into(),
+            )
+            .with_help("write d([F_x; F_y], [x; y]) for the matrix of derivatives"));
         }
         let mut symbols = Vec::new();
         for entry in q.entries() {
-            symbols.push((self.symbol(entry, &variables.span)?, entry.unit.clone().unwrap_or_default()));
+            symbols.push((
+                self.symbol(entry, &variables.span)?,
+                entry.unit.clone().unwrap_or_default(),
+            ));
         }
         Matrix::try_from_fn(f.rows(), symbols.len(), |row, column| {
             let (symbol, unit) = &symbols[column];
@@ -241,8 +304,11 @@ impl Elaborator {
             return Ok(value);
         }
         let (rows, columns) = value.shape();
-        Err(shape(&matrix.span, format!("a square matrix is needed, not {rows}×{columns}"))
-            .with_help("`submatrix(…)` takes rows and columns out of a matrix"))
+        Err(shape(
+            &matrix.span,
+            format!("a square matrix is needed, not {rows}×{columns}"),
+        )
+        .with_help("`submatrix(…)` takes rows and columns out of a matrix"))
     }
 
     fn positive(&mut self, expression: &Expression) -> Result<usize, Diagnostic> {
@@ -250,8 +316,11 @@ impl Elaborator {
         if number > 0 {
             return Ok(number);
         }
-        Err(shape(&expression.span, "a matrix has at least one row and one column".into())
-            .with_help("write 1 or more"))
+        Err(shape(
+            &expression.span,
+            "a matrix has at least one row and one column".into(),
+        )
+        .with_help("write 1 or more"))
     }
 
     /// A row or column, counted from 1 in the document and from 0 here.
@@ -260,16 +329,21 @@ impl Elaborator {
         if (1..=count).contains(&place) {
             return Ok(place - 1);
         }
-        Err(shape(&expression.span, format!("there is no row or column {place}"))
-            .with_label(format!("not one of 1, …, {count}"))
-            .with_help("rows and columns count from 1"))
+        Err(shape(
+            &expression.span,
+            format!("there is no row or column {place}"),
+        )
+        .with_label(format!("not one of 1, …, {count}"))
+        .with_help("rows and columns count from 1"))
     }
 
     fn places(&mut self, list: &Expression, count: usize) -> Result<Vec<usize>, Diagnostic> {
         match &list.node {
-            super::syntax::Node::Matrix(rows) => {
-                rows.iter().flatten().map(|entry| self.place(entry, count)).collect()
-            }
+            super::syntax::Node::Matrix(rows) => rows
+                .iter()
+                .flatten()
+                .map(|entry| self.place(entry, count))
+                .collect(),
             _ => Ok(vec![self.place(list, count)?]),
         }
     }
@@ -277,19 +351,26 @@ impl Elaborator {
     /// The columns that span {x : A·x = 0}, side by side.
     fn kernel(&mut self, matrix: &Expression, span: &Span) -> Result<Value, Diagnostic> {
         let value = self.value(matrix)?;
-        let found = null_space(&value, &Quantities(&self.ring)).map_err(|error| quantity(error, span))?;
+        let found =
+            null_space(&value, &Quantities(&self.ring)).map_err(|error| quantity(error, span))?;
         for pivot in &found.pivots {
             self.require_non_zero(&pivot.value, span)?;
         }
         if found.basis.is_empty() {
             let message = "only 0 is mapped to 0 by this matrix";
-            return Err(Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
-                .with_label("has no null space")
-                .with_help("its determinant is not 0 for all values; take it `at` values where it is"));
+            return Err(
+                Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
+                    .with_label("has no null space")
+                    .with_help(
+                        "its determinant is not 0 for all values; take it `at` values where it is",
+                    ),
+            );
         }
-        Ok(Matrix::from_fn(value.columns(), found.basis.len(), |row, column| {
-            found.basis[column].at(row, 0).clone()
-        }))
+        Ok(Matrix::from_fn(
+            value.columns(),
+            found.basis.len(),
+            |row, column| found.basis[column].at(row, 0).clone(),
+        ))
     }
 
     fn solution(
@@ -301,17 +382,25 @@ impl Elaborator {
         let a = self.square(matrix)?;
         let b = self.value(right)?;
         if b.rows() != a.rows() {
-            return Err(shape(span, "the right side has not as many rows as the matrix".into())
-                .with_label(format!("{} rows, not {}", b.rows(), a.rows()))
-                .with_help("the right side of n equations is a column with n entries"));
+            return Err(shape(
+                span,
+                "the right side has not as many rows as the matrix".into(),
+            )
+            .with_label(format!("{} rows, not {}", b.rows(), a.rows()))
+            .with_help("the right side of n equations is a column with n entries"));
         }
         self.adjugate(&a, span)?;
-        let solved = solve(&a, &b, &Quantities(&self.ring)).map_err(|error| quantity(error, span))?;
+        let solved =
+            solve(&a, &b, &Quantities(&self.ring)).map_err(|error| quantity(error, span))?;
         if solved.determinant.value.is_zero() {
             let message = "this linear system is singular: its determinant is identically 0";
-            return Err(Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
-                .with_label("has no unique solution")
-                .with_help("leave out equations that follow from others, and look at `kernel(…)`"));
+            return Err(
+                Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
+                    .with_label("has no unique solution")
+                    .with_help(
+                        "leave out equations that follow from others, and look at `kernel(…)`",
+                    ),
+            );
         }
         self.divide(&solved.numerators, &solved.determinant, span)
     }
@@ -354,9 +443,13 @@ impl Elaborator {
             return Ok(coefficients);
         }
         let message = "this is not a polynomial in the variable";
-        Err(Diagnostic::new(DiagnosticKind::NotPolynomial, span.clone(), message)
-            .with_label("the variable stands below a line, under a root or in an angle")
-            .with_help("multiply by what stands below the line, or expand it with `truncate(…)` first"))
+        Err(
+            Diagnostic::new(DiagnosticKind::NotPolynomial, span.clone(), message)
+                .with_label("the variable stands below a line, under a root or in an angle")
+                .with_help(
+                    "multiply by what stands below the line, or expand it with `truncate(…)` first",
+                ),
+        )
     }
 
     /// The leading principal minor of size k of Hurwitz' matrix (a₁, a₃, …; a₀, a₂, …; 0, a₁, …) of
@@ -372,19 +465,27 @@ impl Elaborator {
         let degree = coefficients.keys().next_back().copied().unwrap_or(0);
         let size = self.positive(size)?;
         if size > degree as usize {
-            return Err(shape(span, format!("a polynomial of degree {degree} has no minor of size {size}"))
-                .with_help(format!("its Hurwitz matrix has the sizes 1, …, {degree}")));
+            return Err(shape(
+                span,
+                format!("a polynomial of degree {degree} has no minor of size {size}"),
+            )
+            .with_help(format!("its Hurwitz matrix has the sizes 1, …, {degree}")));
         }
         let per = variable.unit.unwrap_or_default();
         let entry = |row: usize, column: usize| {
             let place = 2 * (column + 1);
-            let index = place.checked_sub(row + 1).filter(|index| *index <= degree as usize);
+            let index = place
+                .checked_sub(row + 1)
+                .filter(|index| *index <= degree as usize);
             let power = index.map(|index| degree - index as u32);
             let value = power.and_then(|power| coefficients.get(&power).cloned());
-            let unit = power.zip(polynomial.unit.as_ref()).map(|(power, unit)| {
-                unit.product(&per.power(&Rational::from(-i64::from(power))))
-            });
-            Quantity { unit: value.as_ref().and(unit), value: value.unwrap_or(self.ring.zero()) }
+            let unit = power
+                .zip(polynomial.unit.as_ref())
+                .map(|(power, unit)| unit.product(&per.power(&Rational::from(-i64::from(power)))));
+            Quantity {
+                unit: value.as_ref().and(unit),
+                value: value.unwrap_or(self.ring.zero()),
+            }
         };
         let matrix = Matrix::from_fn(size, size, entry);
         Ok(self.determinant(&matrix, span)?.scalar())
@@ -406,12 +507,19 @@ impl Elaborator {
         let outer = std::mem::take(&mut self.conditions);
         let value = self.value(value)?;
         let needed = std::mem::replace(&mut self.conditions, outer);
-        let at_zero = symbols.iter().map(|symbol| (*symbol, self.ring.zero())).collect();
+        let at_zero = symbols
+            .iter()
+            .map(|symbol| (*symbol, self.ring.zero()))
+            .collect();
         let needed = needed.substitute(&at_zero, &mut self.ring);
-        self.conditions.extend(&needed.map_err(|error| algebra(error, span))?);
+        self.conditions
+            .extend(&needed.map_err(|error| algebra(error, span))?);
         value.try_map(|entry| {
             let value = self.ring.truncate(&entry.value, &symbols, order);
-            Ok(Quantity { value: value.map_err(|error| algebra(error, span))?, unit: entry.unit.clone() })
+            Ok(Quantity {
+                value: value.map_err(|error| algebra(error, span))?,
+                unit: entry.unit.clone(),
+            })
         })
     }
 }

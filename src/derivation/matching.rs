@@ -12,10 +12,10 @@ use crate::algebra::polynomial::Polynomial;
 use crate::algebra::substitution::Substitution;
 use crate::algebra::symbol::Symbol;
 
-use super::foundation::Foundation;
 use super::condition::Conditions;
 use super::diagnostic::{Diagnostic, DiagnosticKind};
 use super::elaboration::{Elaborator, algebra, units};
+use super::foundation::Foundation;
 use super::presentation::Presenter;
 use super::scope::Meaning;
 use super::syntax::{Expression, Label, Matching, Name, Replacement, Span, Spanned};
@@ -105,10 +105,12 @@ fn different(things: Vec<(String, Span)>) -> Result<(), Diagnostic> {
     for (place, (thing, span)) in things.iter().enumerate() {
         if let Some((_, earlier)) = things[..place].iter().find(|(known, _)| known == thing) {
             let message = format!("`{thing}` is named twice");
-            return Err(Diagnostic::new(DiagnosticKind::Duplicate, span.clone(), message)
-                .with_label("the same again")
-                .with_secondary(earlier.clone(), "the first one")
-                .with_help("name it once"));
+            return Err(
+                Diagnostic::new(DiagnosticKind::Duplicate, span.clone(), message)
+                    .with_label("the same again")
+                    .with_secondary(earlier.clone(), "the first one")
+                    .with_help("name it once"),
+            );
         }
     }
     Ok(())
@@ -131,7 +133,10 @@ impl Elaborator {
         line: usize,
     ) -> Result<Matched, Diagnostic> {
         let names = |names: &[Spanned<Name>]| {
-            names.iter().map(|name| (name.value.to_string(), name.span.clone())).collect()
+            names
+                .iter()
+                .map(|name| (name.value.to_string(), name.span.clone()))
+                .collect()
         };
         different(names(&matching.unknowns))?;
         different(names(&matching.small))?;
@@ -163,13 +168,26 @@ impl Elaborator {
         let substitution: Substitution = unknowns.iter().copied().zip(solution.clone()).collect();
 
         let mut table = Vec::new();
-        let highest = exact.keys().chain(assumed.keys()).max().copied().unwrap_or(0);
+        let highest = exact
+            .keys()
+            .chain(assumed.keys())
+            .max()
+            .copied()
+            .unwrap_or(0);
         for power in (0..=highest).rev() {
             let of = |side: &BTreeMap<u32, Fraction>| side.get(&power).cloned();
             let exact = of(&exact).unwrap_or(self.ring.zero());
             let assumed = of(&assumed).unwrap_or(self.ring.zero());
             let used = matching.powers.iter().any(|used| used.value == power);
-            table.push(self.row(power, &exact, &assumed, &substitution, &small, used, matching)?);
+            table.push(self.row(
+                power,
+                &exact,
+                &assumed,
+                &substitution,
+                &small,
+                used,
+                matching,
+            )?);
         }
         let mut conditions = std::mem::take(&mut self.conditions);
         let span = &matching.name.span;
@@ -179,11 +197,17 @@ impl Elaborator {
         let singular_where = self.singularities(&determinant, &solution, span)?;
 
         let present = |element: &Fraction| {
-            Presenter { ring: &self.ring, scope: &self.scope }
-                .element(element)
-                .map_err(|error| algebra(error, span))
+            Presenter {
+                ring: &self.ring,
+                scope: &self.scope,
+            }
+            .element(element)
+            .map_err(|error| algebra(error, span))
         };
-        let names = matching.unknowns.iter().map(|unknown| unknown.value.clone());
+        let names = matching
+            .unknowns
+            .iter()
+            .map(|unknown| unknown.value.clone());
         let values: Result<Vec<Expression>, Diagnostic> = solution.iter().map(present).collect();
         let solution: Vec<(Name, Expression)> = names.zip(values?).collect();
         let neglected: Result<Vec<Neglected>, Diagnostic> = equations
@@ -211,7 +235,11 @@ impl Elaborator {
             determinant: present(&determinant)?,
             singular_where,
             neglected: neglected?,
-            small: matching.small.iter().map(|small| small.value.clone()).collect(),
+            small: matching
+                .small
+                .iter()
+                .map(|small| small.value.clone())
+                .collect(),
             table,
             solution,
         };
@@ -232,8 +260,13 @@ impl Elaborator {
         let mut sources = vec![matching.exact.clone(), matching.assumed.clone()];
         sources.extend(matching.neglected.iter().cloned());
         let replacements = replacements.collect();
-        let meaning = Meaning::Substitution { replacements, conditions, sources };
-        self.scope.declare(&matching.name, meaning, matching.description.clone())
+        let meaning = Meaning::Substitution {
+            replacements,
+            conditions,
+            sources,
+        };
+        self.scope
+            .declare(&matching.name, meaning, matching.description.clone())
     }
 
     /// The symbol of a variable that is given by name.
@@ -259,15 +292,21 @@ impl Elaborator {
         unknowns: &[Symbol],
         small: &[Symbol],
     ) -> Result<Equations, Diagnostic> {
-        let mut equations =
-            Equations { rows: Vec::new(), right: Vec::new(), neglected: Vec::new() };
+        let mut equations = Equations {
+            rows: Vec::new(),
+            right: Vec::new(),
+            neglected: Vec::new(),
+        };
         let mut seen = vec![false; matching.neglected.len()];
         for power in &matching.powers {
             let span = &power.span;
             let wrap = |error| algebra(error, span);
             let zero = self.ring.zero();
             let of = |side: &BTreeMap<u32, Fraction>| side.get(&power.value).cloned();
-            let (a, b) = (of(exact).unwrap_or(zero.clone()), of(assumed).unwrap_or(zero));
+            let (a, b) = (
+                of(exact).unwrap_or(zero.clone()),
+                of(assumed).unwrap_or(zero),
+            );
             let mut difference = self.ring.difference(&a, &b).map_err(wrap)?;
             for (index, neglected) in matching.neglected.iter().enumerate() {
                 let value = self.scalar(neglected)?.value;
@@ -275,7 +314,8 @@ impl Elaborator {
                     seen[index] = true;
                     continue;
                 }
-                let part = self.occurrence(&difference, &value, unknowns, small, &neglected.span)?;
+                let part =
+                    self.occurrence(&difference, &value, unknowns, small, &neglected.span)?;
                 let Some(part) = part else { continue };
                 seen[index] = true;
                 difference = self.ring.difference(&difference, &part).map_err(wrap)?;
@@ -293,7 +333,9 @@ impl Elaborator {
                 let message = "what is to be neglected occurs in none of the coefficients used";
                 Err(Diagnostic::new(DiagnosticKind::Arguments, span, message)
                     .with_label("not found")
-                    .with_help("leave it out, or check the powers behind `at` and the small quantities"))
+                    .with_help(
+                        "leave it out, or check the powers behind `at` and the small quantities",
+                    ))
             }
         }
     }
@@ -309,27 +351,43 @@ impl Elaborator {
         span: &Span,
     ) -> Result<Option<Fraction>, Diagnostic> {
         let class = |monomial: &Monomial| {
-            let powers: Vec<u32> = unknowns.iter().map(|unknown| monomial.exponent(*unknown)).collect();
+            let powers: Vec<u32> = unknowns
+                .iter()
+                .map(|unknown| monomial.exponent(*unknown))
+                .collect();
             let degree: u32 = small.iter().map(|small| monomial.exponent(*small)).sum();
             (powers, degree)
         };
-        let mut classes = neglected.numerator().terms().iter().map(|(monomial, _)| class(monomial));
+        let mut classes = neglected
+            .numerator()
+            .terms()
+            .iter()
+            .map(|(monomial, _)| class(monomial));
         let wanted = classes.next();
         if classes.any(|other| Some(other) != wanted) {
             let message = "what is neglected must be of one degree";
-            return Err(Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
-                .with_label("terms of different degrees in the unknowns or the small quantities")
-                .with_help("neglect its parts one by one"));
+            return Err(
+                Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
+                    .with_label(
+                        "terms of different degrees in the unknowns or the small quantities",
+                    )
+                    .with_help("neglect its parts one by one"),
+            );
         }
         let terms = difference.numerator().terms().iter();
-        let part = terms.filter(|(monomial, _)| Some(class(monomial)) == wanted).cloned();
+        let part = terms
+            .filter(|(monomial, _)| Some(class(monomial)) == wanted)
+            .cloned();
         let part = Polynomial::from_terms(part);
         if part.is_zero() {
             return Ok(None);
         }
         let part = self.ring.fraction(&part, difference.denominator());
         let part = part.map_err(|error| algebra(error, span))?;
-        let ratio = self.ring.quotient(&part, neglected).map_err(|error| algebra(error, span))?;
+        let ratio = self
+            .ring
+            .quotient(&part, neglected)
+            .map_err(|error| algebra(error, span))?;
         let free = unknowns.iter().chain(small).all(|symbol| {
             !ratio.numerator().contains(*symbol) && !ratio.denominator().contains(*symbol)
         });
@@ -348,46 +406,84 @@ impl Elaborator {
         span: &Span,
     ) -> Result<(Vec<Fraction>, Fraction), Diagnostic> {
         let degree = |monomial: &Monomial| -> u32 {
-            unknowns.iter().map(|unknown| monomial.exponent(*unknown)).sum()
+            unknowns
+                .iter()
+                .map(|unknown| monomial.exponent(*unknown))
+                .sum()
         };
         let numerator = difference.numerator();
-        let nonlinear = numerator.terms().iter().find(|(monomial, _)| degree(monomial) > 1);
-        let below = unknowns.iter().any(|unknown| difference.denominator().contains(*unknown));
+        let nonlinear = numerator
+            .terms()
+            .iter()
+            .find(|(monomial, _)| degree(monomial) > 1);
+        let below = unknowns
+            .iter()
+            .any(|unknown| difference.denominator().contains(*unknown));
         if nonlinear.is_some() || below {
             let term = nonlinear.map(|(monomial, coefficient)| {
                 Polynomial::from_terms([(monomial.clone(), coefficient.clone())])
             });
-            let presenter = Presenter { ring: &self.ring, scope: &self.scope };
+            let presenter = Presenter {
+                ring: &self.ring,
+                scope: &self.scope,
+            };
             let shown = term.and_then(|term| presenter.polynomial(&term).ok());
             let shown = shown.map(|term| super::notation::Notation::Unicode.expression(&term));
             let label = shown.map_or("an unknown stands below a line".into(), |term| {
                 format!("contains the term {term}")
             });
-            let names: Vec<String> =
-                matching.unknowns.iter().map(|unknown| unknown.value.to_string()).collect();
+            let names: Vec<String> = matching
+                .unknowns
+                .iter()
+                .map(|unknown| unknown.value.to_string())
+                .collect();
             let message = format!("this coefficient is not linear in {}", names.join(", "));
-            return Err(Diagnostic::new(DiagnosticKind::NotLinear, span.clone(), message)
-                .with_label(label)
-                .with_help("use another power, or say what is small enough with `neglect …`"));
+            return Err(
+                Diagnostic::new(DiagnosticKind::NotLinear, span.clone(), message)
+                    .with_label(label)
+                    .with_help("use another power, or say what is small enough with `neglect …`"),
+            );
         }
         let wrap = |error| algebra(error, span);
         let mut row = Vec::new();
         let mut rest = numerator.clone();
         for unknown in unknowns {
-            let slope = numerator.coefficients_in(*unknown).remove(&1).unwrap_or_default();
-            rest = rest.coefficients_in(*unknown).remove(&0).unwrap_or_default();
-            row.push(self.ring.fraction(&slope, difference.denominator()).map_err(wrap)?);
+            let slope = numerator
+                .coefficients_in(*unknown)
+                .remove(&1)
+                .unwrap_or_default();
+            rest = rest
+                .coefficients_in(*unknown)
+                .remove(&0)
+                .unwrap_or_default();
+            row.push(
+                self.ring
+                    .fraction(&slope, difference.denominator())
+                    .map_err(wrap)?,
+            );
         }
-        let constant = self.ring.fraction(&rest, difference.denominator()).map_err(wrap)?;
+        let constant = self
+            .ring
+            .fraction(&rest, difference.denominator())
+            .map_err(wrap)?;
         // What is left may still contain unknowns under roots, in angles or in functions.
         for (unknown, spanned) in unknowns.iter().zip(&matching.unknowns) {
             let partial = Differential::partial(*unknown, &self.ring);
             for part in row.iter().chain([&constant]) {
-                if !self.ring.differentiate(part, &partial).map_err(wrap)?.is_zero() {
+                if !self
+                    .ring
+                    .differentiate(part, &partial)
+                    .map_err(wrap)?
+                    .is_zero()
+                {
                     let message = format!("this coefficient is not linear in {}", spanned.value);
-                    return Err(Diagnostic::new(DiagnosticKind::NotLinear, span.clone(), message)
-                        .with_label("an unknown stands under a root, in an angle or in a function")
-                        .with_help("use another power"));
+                    return Err(
+                        Diagnostic::new(DiagnosticKind::NotLinear, span.clone(), message)
+                            .with_label(
+                                "an unknown stands under a root, in an angle or in a function",
+                            )
+                            .with_help("use another power"),
+                    );
                 }
             }
         }
@@ -412,14 +508,20 @@ impl Elaborator {
         if equations.rows.len() < count {
             let given = equations.rows.len();
             let s = if given == 1 { "" } else { "s" };
-            return Err(singular(format!("{given} equation{s} for {count} unknowns"))
-                .with_help("name at least as many powers behind `at` as there are unknowns"));
+            return Err(
+                singular(format!("{given} equation{s} for {count} unknowns"))
+                    .with_help("name at least as many powers behind `at` as there are unknowns"),
+            );
         }
-        let matrix = Matrix::from_fn(count, count, |row, column| equations.rows[row][column].clone());
+        let matrix = Matrix::from_fn(count, count, |row, column| {
+            equations.rows[row][column].clone()
+        });
         let right = Matrix::from_fn(count, 1, |row, _| equations.right[row].clone());
         let solved = solve(&matrix, &right, &self.ring).map_err(wrap)?;
         if solved.determinant.is_zero() {
-            return Err(singular("the matching is singular: its determinant is identically 0".into()));
+            return Err(singular(
+                "the matching is singular: its determinant is identically 0".into(),
+            ));
         }
         let solution: Result<Vec<Fraction>, _> = solved
             .numerators
@@ -428,8 +530,12 @@ impl Elaborator {
             .map(|numerator| self.ring.quotient(numerator, &solved.determinant))
             .collect();
         let solution = solution.map_err(wrap)?;
-        for ((row, right), power) in
-            equations.rows.iter().zip(&equations.right).zip(&matching.powers).skip(count)
+        for ((row, right), power) in equations
+            .rows
+            .iter()
+            .zip(&equations.right)
+            .zip(&matching.powers)
+            .skip(count)
         {
             let mut left = self.ring.zero();
             for (slope, value) in row.iter().zip(&solution) {
@@ -438,15 +544,22 @@ impl Elaborator {
             }
             if !self.ring.difference(&left, right).map_err(wrap)?.is_zero() {
                 let message = "this coefficient contradicts the ones before it";
-                return Err(Diagnostic::new(DiagnosticKind::Inconsistent, power.span.clone(), message)
-                    .with_label("not satisfied by the solution of the others")
-                    .with_help("use as many powers as there are unknowns"));
+                return Err(Diagnostic::new(
+                    DiagnosticKind::Inconsistent,
+                    power.span.clone(),
+                    message,
+                )
+                .with_label("not satisfied by the solution of the others")
+                .with_help("use as many powers as there are unknowns"));
             }
         }
         Ok((solution, solved.determinant))
     }
 
-    #[expect(clippy::too_many_arguments, reason = "one row needs all of the matching")]
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "one row needs all of the matching"
+    )]
     fn row(
         &mut self,
         power: u32,
@@ -463,9 +576,14 @@ impl Elaborator {
         let order = if small.is_empty() {
             None
         } else {
-            self.ring.leading_part(&residual, small, HIGHEST_ORDER).map_err(wrap)?
+            self.ring
+                .leading_part(&residual, small, HIGHEST_ORDER)
+                .map_err(wrap)?
         };
-        let presenter = Presenter { ring: &self.ring, scope: &self.scope };
+        let presenter = Presenter {
+            ring: &self.ring,
+            scope: &self.scope,
+        };
         Ok(Row {
             power,
             exact: presenter.element(exact).map_err(wrap)?,
@@ -493,9 +611,15 @@ impl Elaborator {
             let mut finite = true;
             for value in solution {
                 let shared = value.denominator().gcd(&factor, self.ring.budget());
-                finite &= shared.map_err(|error| wrap(error.into()))?.as_constant().is_some();
+                finite &= shared
+                    .map_err(|error| wrap(error.into()))?
+                    .as_constant()
+                    .is_some();
             }
-            let presenter = Presenter { ring: &self.ring, scope: &self.scope };
+            let presenter = Presenter {
+                ring: &self.ring,
+                scope: &self.scope,
+            };
             let factor = presenter.polynomial(&factor).map_err(wrap)?;
             found.push(Singularity { factor, finite });
         }

@@ -51,7 +51,11 @@ impl Expression {
 
     /// A call.
     pub fn call(function: Name, order: u32, arguments: Vec<Expression>) -> Self {
-        Expression::made(Node::Call { function, order, arguments })
+        Expression::made(Node::Call {
+            function,
+            order,
+            arguments,
+        })
     }
 }
 
@@ -86,25 +90,44 @@ impl Presenter<'_> {
             return Ok(Expression::number(Rational::ZERO));
         }
         let negative = factored.coefficient < Rational::ZERO;
-        let size = if negative { -factored.coefficient } else { factored.coefficient };
+        let size = if negative {
+            -factored.coefficient
+        } else {
+            factored.coefficient
+        };
         let (integer_above, integer_below) = size.into_parts();
         let (mut above, mut below) = (Vec::new(), Vec::new());
         if integer_above != Integer::ONE {
-            above.push(Expression::made(Node::Number(Rational::from(integer_above))));
+            above.push(Expression::made(Node::Number(Rational::from(
+                integer_above,
+            ))));
         }
         if integer_below != Integer::ONE.try_into().unwrap_or_default() {
-            below.push(Expression::made(Node::Number(Rational::from(integer_below))));
+            below.push(Expression::made(Node::Number(Rational::from(
+                integer_below,
+            ))));
         }
         // Single symbols come first, as one writes products.
-        let (single, sums): (Vec<_>, Vec<_>) =
-            factored.factors.iter().partition(|(factor, _)| factor.len() == 1);
+        let (single, sums): (Vec<_>, Vec<_>) = factored
+            .factors
+            .iter()
+            .partition(|(factor, _)| factor.len() == 1);
         let single = single.into_iter().rev();
         for (factor, exponent) in single.chain(sums.into_iter()) {
             let base = self.polynomial(factor)?;
             let power = raised(base, exponent.unsigned_abs());
-            if *exponent > 0 { &mut above } else { &mut below }.push(power);
+            if *exponent > 0 {
+                &mut above
+            } else {
+                &mut below
+            }
+            .push(power);
         }
-        let above = if negative { negative_product(above) } else { product(above) };
+        let above = if negative {
+            negative_product(above)
+        } else {
+            product(above)
+        };
         Ok(match below.is_empty() {
             true => above,
             false => Expression::binary(BinaryOperator::Divide, above, product(below)),
@@ -120,7 +143,11 @@ impl Presenter<'_> {
         let mut terms = Vec::new();
         for (monomial, coefficient) in polynomial.terms() {
             let negative = *coefficient < Integer::ZERO;
-            let size = if negative { -coefficient } else { coefficient.clone() };
+            let size = if negative {
+                -coefficient
+            } else {
+                coefficient.clone()
+            };
             terms.push((negative, self.factors(monomial, size)?));
         }
         // A long sum becomes a sum of sums: what walks through expressions is recursive.
@@ -148,11 +175,15 @@ impl Presenter<'_> {
 
     fn declared(&self, ascii: &str) -> Name {
         let name = Name::new(ascii);
-        self.scope.get(&name).map_or(name, |entry| entry.name.clone())
+        self.scope
+            .get(&name)
+            .map_or(name, |entry| entry.name.clone())
     }
 
-    fn symbol(&self, symbol: Symbol) -> Result<Expression, AlgebraError> {
-        let call = |function: &str, argument| Expression::call(Name::new(function), 0, vec![argument]);
+    /// One symbol.
+    pub(super) fn symbol(&self, symbol: Symbol) -> Result<Expression, AlgebraError> {
+        let call =
+            |function: &str, argument| Expression::call(Name::new(function), 0, vec![argument]);
         Ok(match self.ring.generator(symbol) {
             Generator::Constant { name } | Generator::Angle { name } => {
                 Expression::name(self.declared(name))
@@ -168,12 +199,14 @@ impl Presenter<'_> {
                 let declared = self.scope.entries().find(imaginary);
                 Expression::name(declared.map_or(Name::new("i"), |entry| entry.name.clone()))
             }
-            Generator::Cosine { angle } => {
-                call("cos", self.polynomial(self.ring.angle_element(angle).numerator())?)
-            }
-            Generator::Sine { angle } => {
-                call("sin", self.polynomial(self.ring.angle_element(angle).numerator())?)
-            }
+            Generator::Cosine { angle } => call(
+                "cos",
+                self.polynomial(self.ring.angle_element(angle).numerator())?,
+            ),
+            Generator::Sine { angle } => call(
+                "sin",
+                self.polynomial(self.ring.angle_element(angle).numerator())?,
+            ),
             Generator::Root { radicand } => {
                 call("sqrt", self.element(&Fraction::from(radicand.clone()))?)
             }
@@ -181,12 +214,17 @@ impl Presenter<'_> {
                 let arguments = vec![self.element(x)?, self.element(y)?];
                 Expression::call(Name::new("angle"), 0, arguments)
             }
-            Generator::FunctionValue { name, order, argument } => {
+            Generator::FunctionValue {
+                name,
+                order,
+                argument,
+            } => {
                 let name = self.declared(name);
                 let at_reference = match self.scope.get(&name).map(|entry| &entry.meaning) {
-                    Some(Meaning::Function { argument: reference, .. }) => {
-                        reference.value == *argument
-                    }
+                    Some(Meaning::Function {
+                        argument: reference,
+                        ..
+                    }) => reference.value == *argument,
                     _ => false,
                 };
                 match (at_reference, order) {
@@ -206,7 +244,9 @@ fn sum(terms: impl IntoIterator<Item = (bool, Vec<Expression>)>) -> Expression {
             (None, false) => product(factors),
             (None, true) => negative_product(factors),
             (Some(sum), false) => Expression::binary(BinaryOperator::Add, sum, product(factors)),
-            (Some(sum), true) => Expression::binary(BinaryOperator::Subtract, sum, product(factors)),
+            (Some(sum), true) => {
+                Expression::binary(BinaryOperator::Subtract, sum, product(factors))
+            }
         });
     }
     sum.unwrap_or_else(|| Expression::number(Rational::ZERO))

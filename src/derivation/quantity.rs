@@ -24,13 +24,19 @@ pub type Value = Matrix<Quantity>;
 impl Quantity {
     /// A quantity with a unit.
     pub fn new(value: Fraction, unit: Unit) -> Self {
-        Quantity { value, unit: Some(unit) }
+        Quantity {
+            value,
+            unit: Some(unit),
+        }
     }
 
     /// A pure number; 0 fits every unit.
     pub fn number(number: Rational) -> Self {
         let unit = (!number.is_zero()).then(Unit::one);
-        Quantity { value: Fraction::from(number), unit }
+        Quantity {
+            value: Fraction::from(number),
+            unit,
+        }
     }
 
     /// The quantity as a value.
@@ -97,15 +103,25 @@ impl Arithmetic for Quantities<'_> {
         let unit = common_unit(&a.unit, &b.unit)?;
         self.pay_for(&a.value)?;
         self.pay_for(&b.value)?;
-        Ok(Quantity { value: self.0.sum(&a.value, &b.value)?, unit })
+        Ok(Quantity {
+            value: self.0.sum(&a.value, &b.value)?,
+            unit,
+        })
     }
 
     fn negative(&self, a: &Quantity) -> Quantity {
-        Quantity { value: a.value.negative(), unit: a.unit.clone() }
+        Quantity {
+            value: a.value.negative(),
+            unit: a.unit.clone(),
+        }
     }
 
     fn product(&self, a: &Quantity, b: &Quantity) -> Result<Quantity, QuantityError> {
-        let unit = a.unit.as_ref().zip(b.unit.as_ref()).map(|(a, b)| a.product(b));
+        let unit = a
+            .unit
+            .as_ref()
+            .zip(b.unit.as_ref())
+            .map(|(a, b)| a.product(b));
         let value = self.0.product(&a.value, &b.value)?;
         self.pay_for(&value)?;
         Ok(Quantity { value, unit })
@@ -114,7 +130,14 @@ impl Arithmetic for Quantities<'_> {
 
 impl Division for Quantities<'_> {
     fn quotient(&self, a: &Quantity, b: &Quantity) -> Result<Quantity, QuantityError> {
-        let unit = a.unit.as_ref().zip(b.unit.as_ref()).map(|(a, b)| a.product(&b.inverse()));
-        Ok(Quantity { value: self.0.quotient(&a.value, &b.value)?, unit })
+        let unit = a
+            .unit
+            .as_ref()
+            .zip(b.unit.as_ref())
+            .map(|(a, b)| a.product(&b.inverse()));
+        Ok(Quantity {
+            value: self.0.quotient(&a.value, &b.value)?,
+            unit,
+        })
     }
 }

@@ -131,7 +131,13 @@ impl Scope {
         }
         let rests_on = self.rests_on(&name.value, &meaning);
         let span = Some(name.span.clone());
-        let entry = Entry { name: name.value.clone(), meaning, description, span, rests_on };
+        let entry = Entry {
+            name: name.value.clone(),
+            meaning,
+            description,
+            span,
+            rests_on,
+        };
         self.entries.insert(name.value.ascii.clone(), entry);
         Ok(())
     }
@@ -139,15 +145,25 @@ impl Scope {
     fn rests_on(&self, name: &Name, meaning: &Meaning) -> BTreeSet<String> {
         let mut names = BTreeSet::new();
         let mut visit = |name: &Name| {
-            names.extend(self.get(name).into_iter().flat_map(Entry::rests_on).map(str::to_string));
+            names.extend(
+                self.get(name)
+                    .into_iter()
+                    .flat_map(Entry::rests_on)
+                    .map(str::to_string),
+            );
         };
         match meaning {
             Meaning::Symbol { .. } => {}
-            Meaning::Function { reference: expression, .. }
+            Meaning::Function {
+                reference: expression,
+                ..
+            }
             | Meaning::Definition { expression, .. }
             | Meaning::Template { expression, .. } => expression.visit_names(&mut visit),
             Meaning::Substitution { replacements, .. } => {
-                replacements.iter().for_each(|each| each.value.visit_names(&mut visit));
+                replacements
+                    .iter()
+                    .for_each(|each| each.value.visit_names(&mut visit));
             }
         }
         if let Meaning::Symbol { .. } | Meaning::Function { .. } = meaning {
@@ -158,7 +174,9 @@ impl Scope {
 
     /// Forgets where names were declared, because what follows is another document.
     pub fn leave_document(&mut self) {
-        self.entries.values_mut().for_each(|entry| entry.span = None);
+        self.entries
+            .values_mut()
+            .for_each(|entry| entry.span = None);
     }
 
     /// The entry of a name, if it has one.
@@ -173,13 +191,17 @@ impl Scope {
     /// A [`Diagnostic`] with the nearest known name where it has none.
     pub fn find(&self, name: &Name, span: &Span) -> Result<&Entry, Diagnostic> {
         self.get(name).ok_or_else(|| {
-            let known = self.entries.values().flat_map(|entry| {
-                [entry.name.ascii.as_str(), entry.name.unicode.as_str()]
-            });
+            let known = self
+                .entries
+                .values()
+                .flat_map(|entry| [entry.name.ascii.as_str(), entry.name.unicode.as_str()]);
             let candidates = known.chain(super::function::NAMES);
             let help = match nearest(&name.unicode, candidates) {
                 Some(near) => format!("did you mean `{near}`?"),
-                None => "declare it as a parameter, an angle or a coordinate, or define it with `:=`".into(),
+                None => {
+                    "declare it as a parameter, an angle or a coordinate, or define it with `:=`"
+                        .into()
+                }
             };
             let message = format!("`{name}` is not known here");
             Diagnostic::new(DiagnosticKind::UnknownName, span.clone(), message)

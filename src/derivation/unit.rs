@@ -46,7 +46,9 @@ impl Unit {
         let (_, exponents) = UNITS.iter().find(|(known, _)| *known == name)?;
         let bases = UNITS.iter().map(|(base, _)| *base);
         let powers = bases.zip(exponents).filter(|(_, exponent)| **exponent != 0);
-        Some(Unit { exponents: powers.map(|(base, e)| (base, Rational::from(*e))).collect() })
+        Some(Unit {
+            exponents: powers.map(|(base, e)| (base, Rational::from(*e))).collect(),
+        })
     }
 
     /// The unit of a product.
@@ -82,7 +84,10 @@ impl Unit {
             let known: Vec<&str> = UNITS.iter().map(|(name, _)| *name).collect();
             Diagnostic::new(DiagnosticKind::Unit, text.span.clone(), what)
                 .with_label("not a unit")
-                .with_help(format!("write a product of powers of {}, or 1", known.join(", ")))
+                .with_help(format!(
+                    "write a product of powers of {}, or 1",
+                    known.join(", ")
+                ))
         };
         let expression = parse_expression(&text.value)
             .map_err(|_| wrong(format!("`{}` is not a unit", text.value)))?;
@@ -119,7 +124,10 @@ impl Unit {
 impl fmt::Display for Unit {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let side = |above: bool| -> Vec<String> {
-            let powers = self.exponents.iter().filter(|(_, e)| (**e > Rational::ZERO) == above);
+            let powers = self
+                .exponents
+                .iter()
+                .filter(|(_, e)| (**e > Rational::ZERO) == above);
             powers
                 .map(|(base, exponent)| {
                     let size = if above { exponent.clone() } else { -exponent };
@@ -132,7 +140,11 @@ impl fmt::Display for Unit {
                 .collect()
         };
         let (above, below) = (side(true), side(false));
-        let above = if above.is_empty() { "1".to_string() } else { above.join("·") };
+        let above = if above.is_empty() {
+            "1".to_string()
+        } else {
+            above.join("·")
+        };
         match below.len() {
             0 => formatter.write_str(&above),
             1 => write!(formatter, "{above}/{}", below[0]),
@@ -143,10 +155,21 @@ impl fmt::Display for Unit {
 
 fn superscript(number: i64) -> String {
     let digits = number.to_string();
-    digits.chars().map(|digit| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit as usize - '0' as usize).unwrap_or(digit)).collect()
+    digits
+        .chars()
+        .map(|digit| {
+            "⁰¹²³⁴⁵⁶⁷⁸⁹"
+                .chars()
+                .nth(digit as usize - '0' as usize)
+                .unwrap_or(digit)
+        })
+        .collect()
 }
 
 /// The integer a rational is, if it is one that fits.
 pub fn small_integer(number: &Rational) -> Option<i64> {
-    number.is_int().then(|| i64::try_from(Integer::clone(number.numerator())).ok()).flatten()
+    number
+        .is_int()
+        .then(|| i64::try_from(Integer::clone(number.numerator())).ok())
+        .flatten()
 }

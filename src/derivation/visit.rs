@@ -15,11 +15,20 @@ impl Expression {
                 left.visit_names(visit);
                 right.visit_names(visit);
             }
-            Node::Call { function, arguments, .. } => {
+            Node::Call {
+                function,
+                arguments,
+                ..
+            } => {
                 visit(function);
-                arguments.iter().for_each(|argument| argument.visit_names(visit));
+                arguments
+                    .iter()
+                    .for_each(|argument| argument.visit_names(visit));
             }
-            Node::Matrix(rows) => rows.iter().flatten().for_each(|entry| entry.visit_names(visit)),
+            Node::Matrix(rows) => rows
+                .iter()
+                .flatten()
+                .for_each(|entry| entry.visit_names(visit)),
             Node::Index(matrix, indices) => {
                 matrix.visit_names(visit);
                 indices.iter().for_each(|index| index.visit_names(visit));
@@ -39,10 +48,15 @@ impl Expression {
     }
 
     /// The ASCII names under which a point lists the values that a normal form contains: `m`,
-    /// `dt(x)`, `dC_D`, and `cos(a)`, `sin(a)` for every angle a within a sine or cosine.
+    /// `dt(x)`, `dC_D`, `cos(a)`, `sin(a)` for every angle a within a sine or
+    /// cosine, and `C_D(` for the values of C_D at other arguments than its own.
     pub fn collect_values(&self, values: &mut BTreeSet<String>) {
         match &self.node {
-            Node::Call { function, arguments, .. } if matches!(&*function.ascii, "cos" | "sin") => {
+            Node::Call {
+                function,
+                arguments,
+                ..
+            } if matches!(&*function.ascii, "cos" | "sin") => {
                 for argument in arguments {
                     argument.visit_names(&mut |name| {
                         values.insert(format!("cos({})", name.ascii));
@@ -50,19 +64,22 @@ impl Expression {
                     });
                 }
             }
-            Node::Call { function, arguments, .. } if function.ascii == "dt" => {
+            Node::Call {
+                function,
+                arguments,
+                ..
+            } if function.ascii == "dt" => {
                 let mut inner = BTreeSet::new();
-                arguments.iter().for_each(|argument| argument.collect_values(&mut inner));
+                arguments
+                    .iter()
+                    .for_each(|argument| argument.collect_values(&mut inner));
                 values.extend(inner.into_iter().map(|name| format!("dt({name})")));
             }
             Node::Name(name) => {
                 values.insert(name.ascii.clone());
             }
             Node::Derivative(name, order) => {
-                values.insert(match order {
-                    1 => format!("d{}", name.ascii),
-                    _ => format!("d{order}{}", name.ascii),
-                });
+                values.insert(primed(&name.ascii, *order));
             }
             Node::Number(_) => {}
             Node::Negative(inner) | Node::At(inner, _) | Node::Index(inner, _) => {
@@ -72,12 +89,30 @@ impl Expression {
                 left.collect_values(values);
                 right.collect_values(values);
             }
-            Node::Call { arguments, .. } => {
-                arguments.iter().for_each(|argument| argument.collect_values(values));
+            Node::Call {
+                function,
+                order,
+                arguments,
+            } => {
+                values.insert(format!("{}(", primed(&function.ascii, *order)));
+                arguments
+                    .iter()
+                    .for_each(|argument| argument.collect_values(values));
             }
             Node::Matrix(rows) => {
-                rows.iter().flatten().for_each(|entry| entry.collect_values(values));
+                rows.iter()
+                    .flatten()
+                    .for_each(|entry| entry.collect_values(values));
             }
         }
+    }
+}
+
+/// `C_D`, `dC_D`, `d2C_D`: a function's derivative of some order.
+pub fn primed(name: &str, order: u32) -> String {
+    match order {
+        0 => name.to_string(),
+        1 => format!("d{name}"),
+        _ => format!("d{order}{name}"),
     }
 }

@@ -1,6 +1,5 @@
 //! What the tests of the algebra share: arbitrary elements and an independent oracle.
 
-
 use proptest::prelude::*;
 use sextic::algebra::budget::Budget;
 use sextic::algebra::fraction::Fraction;

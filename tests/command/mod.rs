@@ -30,7 +30,11 @@ fn status_of(name: &str, statements: &str) -> (Option<i32>, String, String) {
     let path = document(name, &block(statements));
     let output = sextic(&["audit", path.to_str().expect("a path")]);
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    (output.status.code(), text(&output.stdout), text(&output.stderr))
+    (
+        output.status.code(),
+        text(&output.stdout),
+        text(&output.stderr),
+    )
 }
 
 #[test]
@@ -59,9 +63,20 @@ fn status_is_2_where_the_input_is_wrong() {
     let (status, out, err) = status_of("unknown.md", "claim [one]: a == c");
     assert_eq!((status, out.as_str()), (Some(2), ""));
     assert!(err.contains("unknown.md:5:"), "{err}");
-    assert_eq!(sextic(&["audit", "no-such-document.md"]).status.code(), Some(2));
-    assert_eq!(sextic(&["audit", env!("CARGO_MANIFEST_DIR")]).status.code(), Some(2));
-    assert_eq!(sextic(&["audit", "--explain", "no-such-claim"]).status.code(), Some(2));
+    assert_eq!(
+        sextic(&["audit", "no-such-document.md"]).status.code(),
+        Some(2)
+    );
+    assert_eq!(
+        sextic(&["audit", env!("CARGO_MANIFEST_DIR")]).status.code(),
+        Some(2)
+    );
+    assert_eq!(
+        sextic(&["audit", "--explain", "no-such-claim"])
+            .status
+            .code(),
+        Some(2)
+    );
     assert_eq!(sextic(&["no-such-command"]).status.code(), Some(2));
 }
 
@@ -90,7 +105,9 @@ fn json_is_that_of_the_design() {
     assert_eq!(matching["table"].as_array().map(Vec::len), Some(7));
     for row in matching["table"].as_array().expect("rows") {
         assert!(row["power"].is_u64() && row["used"].is_boolean());
-        assert!(row["exact"].is_string() && row["assumed"].is_string() && row["residual"].is_string());
+        assert!(
+            row["exact"].is_string() && row["assumed"].is_string() && row["residual"].is_string()
+        );
     }
 }
 
@@ -98,8 +115,10 @@ fn json_is_that_of_the_design() {
 fn every_format_is_written_twice_the_same() {
     for format in ["text", "json", "markdown", "latex"] {
         for command in ["audit", "match"] {
-            let (first, second) =
-                (sextic(&[command, "--format", format]), sextic(&[command, "--format", format]));
+            let (first, second) = (
+                sextic(&[command, "--format", format]),
+                sextic(&[command, "--format", format]),
+            );
             assert_eq!(first.status.code(), Some(0), "{command} {format}");
             assert!(!first.stdout.is_empty());
             assert_eq!(first.stdout, second.stdout, "{command} {format}");

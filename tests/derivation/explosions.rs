@@ -8,10 +8,17 @@ use super::{audit_text, block};
 fn outcome(statements: &str) -> String {
     let start = Instant::now();
     let outcome = match audit_text(&block(statements)) {
-        Ok(audit) => audit.claims.last().map_or("read".into(), |claim| claim.verdict.text().to_string()),
+        Ok(audit) => audit
+            .claims
+            .last()
+            .map_or("read".into(), |claim| claim.verdict.text().to_string()),
         Err(message) => message,
     };
-    assert!(start.elapsed() < Duration::from_secs(60), "{:?}", start.elapsed());
+    assert!(
+        start.elapsed() < Duration::from_secs(60),
+        "{:?}",
+        start.elapsed()
+    );
     outcome
 }
 
@@ -36,14 +43,21 @@ fn long_chains_of_definitions_do_not_overflow_the_stack() {
     for n in 1..3000 {
         text += &format!("a_{n} := a_{} + x\n", n - 1);
     }
-    assert_eq!(outcome(&format!("{text}claim (1): a_2999 == 3000*x")), "undecided");
+    assert_eq!(
+        outcome(&format!("{text}claim (1): a_2999 == 3000*x")),
+        "undecided"
+    );
 }
 
 #[test]
 fn long_sums_do_not_overflow_the_stack() {
     let text = "parameter a, b, c, e, λ, u : 1\np := (a + b + c + e + 1)^10\n\
                 match (1) s: p*λ with u*λ in λ unknown u at λ\nclaim (1): u at s == p";
-    assert_eq!(outcome(text), "holds", "a solution of 1001 terms is read back");
+    assert_eq!(
+        outcome(text),
+        "holds",
+        "a solution of 1001 terms is read back"
+    );
 }
 
 #[test]
@@ -64,9 +78,15 @@ fn expansions_of_high_order_stop() {
 #[test]
 fn numbers_of_a_point_may_not_grow_without_bound() {
     let powers: Vec<String> = ('a'..='z').map(|name| format!("{name}^60000")).collect();
-    let names: Vec<String> = ('a'..='z').filter(|name| *name != 'd').map(String::from).collect();
+    let names: Vec<String> = ('a'..='z')
+        .filter(|name| *name != 'd')
+        .map(String::from)
+        .collect();
     let powers = powers.join("*").replace("d^60000*", "");
-    let text = format!("parameter {} : 1\nclaim (1): {powers} == {powers}", names.join(", "));
+    let text = format!(
+        "parameter {} : 1\nclaim (1): {powers} == {powers}",
+        names.join(", ")
+    );
     assert_eq!(outcome(&text), "undecided");
 }
 

@@ -15,9 +15,15 @@ const PREAMBLE: &str = "parameter p, q : 1 > 0\nparameter x, y : 1\nangle α, β
 /// A small expression without divisions that could be by 0: below a line stand positive terms.
 fn expression() -> impl Strategy<Value = String> {
     let leaf = prop_oneof![
-        Just("p".to_string()), Just("q".to_string()), Just("x".to_string()), Just("y".to_string()),
-        Just("sin(α)".to_string()), Just("cos(α)".to_string()), Just("sin(β)".to_string()),
-        Just("cos(β)".to_string()), (1..5).prop_map(|n: i32| n.to_string()),
+        Just("p".to_string()),
+        Just("q".to_string()),
+        Just("x".to_string()),
+        Just("y".to_string()),
+        Just("sin(α)".to_string()),
+        Just("cos(α)".to_string()),
+        Just("sin(β)".to_string()),
+        Just("cos(β)".to_string()),
+        (1..5).prop_map(|n: i32| n.to_string()),
     ];
     leaf.prop_recursive(3, 12, 2, |inner| {
         prop_oneof![
@@ -75,9 +81,23 @@ fn value(expression: &Expression, point: &BTreeMap<String, Rational>) -> Option<
                 }
             }
         }
-        Node::Call { function, arguments, .. } => {
-            let [Expression { node: Node::Name(angle), .. }] = &arguments[..] else { return None };
-            point.get(&format!("{}({})", function.ascii, angle.ascii))?.clone()
+        Node::Call {
+            function,
+            arguments,
+            ..
+        } => {
+            let [
+                Expression {
+                    node: Node::Name(angle),
+                    ..
+                },
+            ] = &arguments[..]
+            else {
+                return None;
+            };
+            point
+                .get(&format!("{}({})", function.ascii, angle.ascii))?
+                .clone()
         }
         _ => return None,
     })

@@ -27,19 +27,26 @@ impl Library for Folder {
         }
         let name = parts.join("/");
         let text = std::fs::read_to_string(self.0.join(&name));
-        text.map(|text| SourceFile::new(name, text)).map_err(|_| "no such file".into())
+        text.map(|text| SourceFile::new(name, text))
+            .map_err(|_| "no such file".into())
     }
 }
 
 /// What becomes of a text that imports nothing.
 fn audit_text(text: &str) -> Result<Audit, String> {
-    audit_in(&SourceFile::new("document.md", text), &Folder(PathBuf::new()))
+    audit_in(
+        &SourceFile::new("document.md", text),
+        &Folder(PathBuf::new()),
+    )
 }
 
 /// What becomes of a document, or the messages that reject it.
 fn audit_in(source: &SourceFile, folder: &Folder) -> Result<Audit, String> {
     audit(source, folder).map_err(|rejected| {
-        let messages = rejected.diagnostics.iter().map(|d| render(d, &rejected.source, false));
+        let messages = rejected
+            .diagnostics
+            .iter()
+            .map(|d| render(d, &rejected.source, false));
         messages.collect::<Vec<_>>().join("\n")
     })
 }
@@ -51,5 +58,7 @@ fn block(statements: &str) -> String {
 
 /// Where the data of the tests are.
 fn data(folder: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(folder)
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/data")
+        .join(folder)
 }

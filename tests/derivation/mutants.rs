@@ -11,8 +11,10 @@ use sextic::derivation::verdict::Verdict;
 
 use super::Folder;
 
-const DOCUMENT: &str =
-    include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/derivations/he-macdonald-2017.md"));
+const DOCUMENT: &str = include_str!(concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/derivations/he-macdonald-2017.md"
+));
 
 /// One changed claim.
 struct Mutant {
@@ -27,13 +29,11 @@ struct Mutant {
 }
 
 /// Variants that are true, with the reason; they are told by what the changed text contains.
-const IDENTITIES: [(&str, &str, &str); 1] = [
-    (
-        "terms in the square of the rate",
-        "== [0; 0]",
-        "every term of order 2 or more in the motion is dropped, whatever the angles are",
-    ),
-];
+const IDENTITIES: [(&str, &str, &str); 1] = [(
+    "terms in the square of the rate",
+    "== [0; 0]",
+    "every term of order 2 or more in the motion is dropped, whatever the angles are",
+)];
 
 fn is_word(character: char) -> bool {
     character.is_alphanumeric() || character == '_' || character == '\''
@@ -67,8 +67,19 @@ fn variants(text: &str) -> Vec<String> {
         }
     };
     for (from, to) in [
-        (" + ", " - "), (" - ", " + "), ("(-", "("), ("[-", "["), (" -", " "), ("2*", ""), ("/2", ""),
-        ("4*", "2*"), ("8*", "4*"), ("^2", "^3"), ("^2", ""), ("sin(", "cos("), ("cos(", "sin("),
+        (" + ", " - "),
+        (" - ", " + "),
+        ("(-", "("),
+        ("[-", "["),
+        (" -", " "),
+        ("2*", ""),
+        ("/2", ""),
+        ("4*", "2*"),
+        ("8*", "4*"),
+        ("^2", "^3"),
+        ("^2", ""),
+        ("sin(", "cos("),
+        ("cos(", "sin("),
     ] {
         for (place, _) in text.match_indices(from) {
             replace(place..place + from.len(), to);
@@ -85,9 +96,19 @@ fn variants(text: &str) -> Vec<String> {
         let mut others: Vec<&str> = others.map(|other| &text[other.clone()]).collect();
         others.dedup();
         let usable = |other: &&str| {
-            *other != name && !other.starts_with(|c: char| c.is_ascii_digit())
+            *other != name
+                && !other.starts_with(|c: char| c.is_ascii_digit())
                 && !text.contains(&format!("{other}("))
-                && !["at", "value", "vector", "of", "rest", "section", "closed_form"].contains(other)
+                && ![
+                    "at",
+                    "value",
+                    "vector",
+                    "of",
+                    "rest",
+                    "section",
+                    "closed_form",
+                ]
+                .contains(other)
         };
         for other in others.into_iter().filter(usable).take(2) {
             replace(span.clone(), other);
@@ -102,11 +123,12 @@ fn mutants() -> Vec<Mutant> {
     let mut mutants = Vec::new();
     for statement in &document.statements {
         let (label, keyword) = match &statement.kind {
-            StatementKind::Assertion { label, expectation: Expectation::Holds, relation, .. }
-                if relation.comparison == Comparison::Equal =>
-            {
-                (label, "claim")
-            }
+            StatementKind::Assertion {
+                label,
+                expectation: Expectation::Holds,
+                relation,
+                ..
+            } if relation.comparison == Comparison::Equal => (label, "claim"),
             StatementKind::Eigenpair { label, .. } => (label, "eigenpair"),
             _ => continue,
         };
@@ -114,7 +136,12 @@ fn mutants() -> Vec<Mutant> {
         let text = text.split('"').next().unwrap_or(text).trim_end();
         for text in variants(text) {
             let (behind, original) = (statement.span.end, label.text.clone());
-            mutants.push(Mutant { behind, original, text, keyword });
+            mutants.push(Mutant {
+                behind,
+                original,
+                text,
+                keyword,
+            });
         }
     }
     mutants
@@ -141,7 +168,9 @@ fn shuffled(count: usize) -> Vec<usize> {
     let mut state = 2017_u64;
     let mut order: Vec<usize> = (0..count).collect();
     for place in (1..count).rev() {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         order.swap(place, (state >> 33) as usize % (place + 1));
     }
     order
@@ -157,13 +186,19 @@ fn no_false_variant_of_the_paper_holds() {
     let mutants = mutants();
     let mut left_out = vec![false; mutants.len()];
     if !all {
-        shuffled(mutants.len()).into_iter().skip(SAMPLE).for_each(|place| left_out[place] = true);
+        shuffled(mutants.len())
+            .into_iter()
+            .skip(SAMPLE)
+            .for_each(|place| left_out[place] = true);
     }
     let judged = left_out.iter().filter(|out| !**out).count();
     let mut rejected = 0;
     let audit = loop {
         let (text, places) = document_with(&mutants, &left_out);
-        match audit(&SourceFile::new("paper.md", text), &Folder(Default::default())) {
+        match audit(
+            &SourceFile::new("paper.md", text),
+            &Folder(Default::default()),
+        ) {
             Ok(audit) => break audit,
             // A variant that makes no sense at all is left out and the rest judged again.
             Err(error) => {
@@ -181,19 +216,25 @@ fn no_false_variant_of_the_paper_holds() {
     let mut count = std::collections::BTreeMap::from([("rejected", rejected)]);
     let mut survivors = Vec::new();
     for claim in &audit.claims {
-        let Some(number) = claim.label.text.strip_prefix("mutant ") else { continue };
+        let Some(number) = claim.label.text.strip_prefix("mutant ") else {
+            continue;
+        };
         let mutant = &mutants[number.parse::<usize>().expect("a number")];
         *count.entry(claim.verdict.text()).or_default() += 1;
         if matches!(claim.verdict, Verdict::Holds | Verdict::HoldsWhere) {
             let text = mutant.text.split_whitespace().collect::<Vec<_>>().join(" ");
-            let known = IDENTITIES.iter().any(|(label, part, _)| {
-                *label == mutant.original && text.contains(part)
-            });
+            let known = IDENTITIES
+                .iter()
+                .any(|(label, part, _)| *label == mutant.original && text.contains(part));
             if !known {
                 survivors.push(format!("({}){text}", mutant.original));
             }
         }
     }
     println!("{judged} of {} variants: {count:?}", mutants.len());
-    assert!(survivors.is_empty(), "these hold:\n{}", survivors.join("\n"));
+    assert!(
+        survivors.is_empty(),
+        "these hold:\n{}",
+        survivors.join("\n")
+    );
 }

@@ -16,7 +16,10 @@ fn line(claim: &Claim) -> String {
             Requirement::NonZero => "≠ 0",
             Requirement::Positive => "> 0",
         };
-        line += &format!("; {} {relation}", Notation::Unicode.expression(&condition.expression));
+        line += &format!(
+            "; {} {relation}",
+            Notation::Unicode.expression(&condition.expression)
+        );
     }
     if let Some(residual) = &claim.residual {
         line += &format!("; leading {}", Notation::Unicode.expression(residual));
@@ -38,7 +41,8 @@ fn every_verdict_is_as_the_document_says() {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             let text = std::fs::read_to_string(path).expect("the document can be read");
             let source = SourceFile::new(name.clone(), text);
-            let audit = audit_in(&source, &Folder(data("verdicts"))).unwrap_or_else(|m| panic!("{m}"));
+            let audit =
+                audit_in(&source, &Folder(data("verdicts"))).unwrap_or_else(|m| panic!("{m}"));
             let mut wrong = Vec::new();
             for claim in &audit.claims {
                 let well = match claim.label.text.starts_with("undecided") {

@@ -13,11 +13,14 @@ use sextic::report::words;
 
 fn audits() -> Vec<Audit> {
     let read = shipped().map(|source| audit(&source, &ShippedLibrary));
-    read.map(|audit| audit.unwrap_or_else(|rejected| panic!("{:?}", rejected.diagnostics))).collect()
+    read.map(|audit| audit.unwrap_or_else(|rejected| panic!("{:?}", rejected.diagnostics)))
+        .collect()
 }
 
 fn paper() -> Audit {
-    let found = audits().into_iter().find(|audit| audit.path.ends_with("he-macdonald-2017.md"));
+    let found = audits()
+        .into_iter()
+        .find(|audit| audit.path.ends_with("he-macdonald-2017.md"));
     found.expect("the paper is shipped")
 }
 
@@ -30,9 +33,17 @@ fn lock(name: &str, text: &str) {
 }
 
 fn verdict_lines(claim: &Claim) -> String {
-    let mut text = format!("{} · {}\n", words::label(&claim.label), claim.verdict.text());
+    let mut text = format!(
+        "{} · {}\n",
+        words::label(&claim.label),
+        claim.verdict.text()
+    );
     for condition in &claim.conditions {
-        let _ = writeln!(text, "    where {}", words::condition(condition, Notation::Ascii));
+        let _ = writeln!(
+            text,
+            "    where {}",
+            words::condition(condition, Notation::Ascii)
+        );
     }
     if let Some(neglected) = neglected(claim, Notation::Ascii) {
         let _ = writeln!(text, "    neglects {}", neglected.plain());
@@ -41,11 +52,21 @@ fn verdict_lines(claim: &Claim) -> String {
         let _ = writeln!(text, "    because {reason}");
     }
     if let Some(witness) = &claim.witness {
-        let point = witness.point.iter().map(|(name, value)| format!("{name}={value}"));
+        let point = witness
+            .point
+            .iter()
+            .map(|(name, value)| format!("{name}={value}"));
         let point: Vec<String> = point.collect();
-        let entry = witness.entry.map(|entry| format!(" entry {entry:?}")).unwrap_or_default();
+        let entry = witness
+            .entry
+            .map(|entry| format!(" entry {entry:?}"))
+            .unwrap_or_default();
         let (left, right) = (&witness.left, &witness.right);
-        let _ = writeln!(text, "    at {}:{entry} {left} against {right}", point.join(" "));
+        let _ = writeln!(
+            text,
+            "    at {}:{entry} {left} against {right}",
+            point.join(" ")
+        );
     }
     text
 }
@@ -53,7 +74,12 @@ fn verdict_lines(claim: &Claim) -> String {
 #[test]
 fn every_verdict_is_locked() {
     for audit in audits() {
-        let name = audit.path.rsplit('/').next().unwrap_or_default().trim_end_matches(".md");
+        let name = audit
+            .path
+            .rsplit('/')
+            .next()
+            .unwrap_or_default()
+            .trim_end_matches(".md");
         let lines: String = audit.claims.iter().map(verdict_lines).collect();
         lock(&format!("verdicts-{name}"), &lines);
     }
@@ -83,9 +109,16 @@ fn the_matching_is_locked() {
             }
             let _ = writeln!(text, "\ndeterminant = {}", ascii(&matched.determinant));
             for singularity in &matched.singular_where {
-                let finite = if singularity.finite { "finite" } else { "infinite" };
+                let finite = if singularity.finite {
+                    "finite"
+                } else {
+                    "infinite"
+                };
                 let factor = words::singularity(singularity, Notation::Ascii);
-                let _ = writeln!(text, "singular where {factor}; the solution is {finite} there");
+                let _ = writeln!(
+                    text,
+                    "singular where {factor}; the solution is {finite} there"
+                );
             }
             for neglected in &matched.neglected {
                 let (what, factor) = (ascii(&neglected.expression), ascii(&neglected.factor));
@@ -94,7 +127,11 @@ fn the_matching_is_locked() {
             for row in &matched.table {
                 let order = row.order.map_or("none".into(), |order| order.to_string());
                 let used = if row.used { "used" } else { "not used" };
-                let _ = writeln!(text, "\npower {}, {used}, order of the residual: {order}", row.power);
+                let _ = writeln!(
+                    text,
+                    "\npower {}, {used}, order of the residual: {order}",
+                    row.power
+                );
                 let _ = writeln!(text, "exact    {}", ascii(&row.exact));
                 let _ = writeln!(text, "assumed  {}", ascii(&row.assumed));
                 let _ = writeln!(text, "residual {}", ascii(&row.residual));
@@ -111,11 +148,16 @@ fn the_paper_is_judged() {
     let audit = paper();
     let verdict = |id: &str| {
         let claim = audit.claims.iter().find(|claim| claim.label.id == id);
-        claim.unwrap_or_else(|| panic!("no assertion is called {id}")).verdict
+        claim
+            .unwrap_or_else(|| panic!("no assertion is called {id}"))
+            .verdict
     };
     for number in 1..=23 {
         let about = |claim: &&Claim| claim.label.equation.as_deref() == Some(&number.to_string());
-        assert!(audit.claims.iter().any(|claim| about(&claim)), "equation ({number}) has no verdict");
+        assert!(
+            audit.claims.iter().any(|claim| about(&claim)),
+            "equation ({number}) has no verdict"
+        );
     }
     for id in ["21", "22", "23"] {
         assert_eq!(verdict(id), Verdict::HoldsWhere);
@@ -139,8 +181,12 @@ fn the_paper_is_judged() {
 #[test]
 fn the_matching_is_singular_without_eccentricity_and_its_solution_is_not() {
     let audit = paper();
-    let [matched] = audit.matchings.as_slice() else { panic!("one matching") };
-    let [singularity] = matched.singular_where.as_slice() else { panic!("one singularity") };
+    let [matched] = audit.matchings.as_slice() else {
+        panic!("one matching")
+    };
+    let [singularity] = matched.singular_where.as_slice() else {
+        panic!("one singularity")
+    };
     assert_eq!(Notation::Ascii.expression(&singularity.factor), "L_g");
     assert!(singularity.finite);
     let orders: Vec<Option<u32>> = matched.table.iter().map(|row| row.order).collect();

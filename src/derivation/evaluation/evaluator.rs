@@ -81,17 +81,18 @@ struct Frame<'a> {
 
 impl<'a> Evaluator<'a> {
     /// An evaluator at a random point that respects the signs of the scope's symbols.
-    pub fn new(
-        scope: &'a Scope,
-        seed: u64,
-        size: Size,
-        signs: BTreeMap<String, Signs>,
-    ) -> Self {
-        let frame = Frame { arguments: BTreeMap::new(), caller: 0 };
+    pub fn new(scope: &'a Scope, seed: u64, size: Size, signs: BTreeMap<String, Signs>) -> Self {
+        let frame = Frame {
+            arguments: BTreeMap::new(),
+            caller: 0,
+        };
         Evaluator {
             scope,
             point: Point::new(seed, size, signs),
-            surroundings: vec![Surrounding { parent: 0, change: Change::None }],
+            surroundings: vec![Surrounding {
+                parent: 0,
+                change: Change::None,
+            }],
             frames: vec![frame],
             nilpotents: 0,
             known: BTreeMap::new(),
@@ -130,7 +131,10 @@ impl<'a> Evaluator<'a> {
         order: u32,
     ) -> Result<Vec<Vec<Vec<Number>>>, Failure> {
         self.begin();
-        let keys = small.iter().map(|name| Key::Symbol((*name).to_string(), 0)).collect();
+        let keys = small
+            .iter()
+            .map(|name| Key::Symbol((*name).to_string(), 0))
+            .collect();
         let parts = self.expansion(expression, keys, order, 0, 0)?;
         self.finish()?;
         Ok(parts)
@@ -204,15 +208,20 @@ impl<'a> Evaluator<'a> {
                 let table = self.table(inner, surrounding, frame)?;
                 Ok(each(&table, |sample| Sample {
                     number: sample.number.negative(),
-                    angle: sample.angle.as_ref().map(|tag| combine(tag, &Tag::new(), -1)),
+                    angle: sample
+                        .angle
+                        .as_ref()
+                        .map(|tag| combine(tag, &Tag::new(), -1)),
                 }))
             }
             Node::Binary(operator, left, right) => {
                 self.binary(*operator, left, right, surrounding, frame)
             }
-            Node::Call { function, order, arguments } => {
-                self.call(function, *order, arguments, surrounding, frame)
-            }
+            Node::Call {
+                function,
+                order,
+                arguments,
+            } => self.call(function, *order, arguments, surrounding, frame),
             Node::Matrix(rows) => {
                 let mut table = Table::new();
                 for row in rows {
@@ -241,7 +250,9 @@ impl<'a> Evaluator<'a> {
                     _ => return Err("an entry has a row and a column".into()),
                 };
                 let entry = table.get(row).and_then(|line| line.get(column));
-                entry.map(|entry| vec![vec![entry.clone()]]).ok_or("no such entry".into())
+                entry
+                    .map(|entry| vec![vec![entry.clone()]])
+                    .ok_or("no such entry".into())
             }
             Node::At(inner, place) => {
                 let change = self.replacements(place, frame)?;
@@ -270,7 +281,10 @@ impl<'a> Evaluator<'a> {
         surrounding: usize,
         frame: usize,
     ) -> Result<usize, Failure> {
-        let number = self.scalar(expression, surrounding, frame)?.number.as_rational();
+        let number = self
+            .scalar(expression, surrounding, frame)?
+            .number
+            .as_rational();
         let whole = number.filter(Rational::is_int);
         let small = whole.and_then(|number| usize::try_from(number.numerator().clone()).ok());
         small.ok_or("a small whole number is needed".into())
@@ -288,9 +302,21 @@ impl<'a> Evaluator<'a> {
         number.ok_or("derivatives are nested too deeply".into())
     }
 
-    fn named(&mut self, name: &'a Name, surrounding: usize, frame: usize) -> Result<Table, Failure> {
-        let argument = self.frames[frame].arguments.get(name.ascii.as_str()).copied();
-        let place = (surrounding, if argument.is_some() { frame } else { 0 }, name.ascii.as_str());
+    fn named(
+        &mut self,
+        name: &'a Name,
+        surrounding: usize,
+        frame: usize,
+    ) -> Result<Table, Failure> {
+        let argument = self.frames[frame]
+            .arguments
+            .get(name.ascii.as_str())
+            .copied();
+        let place = (
+            surrounding,
+            if argument.is_some() { frame } else { 0 },
+            name.ascii.as_str(),
+        );
         if let Some(known) = self.known.get(&place) {
             return Ok(known.clone());
         }
@@ -320,11 +346,21 @@ impl<'a> Evaluator<'a> {
             Change::Time(_) => names.iter().any(|name| self.is_coordinate(name)),
             Change::Shift(key, _) | Change::Set(key, _) => feels(key),
             Change::Scale(keys, _) => keys.iter().any(feels),
-            Change::Replace { symbols, functions, frame } => {
-                let symbols = symbols.iter().filter(|(key, _)| feels(key)).map(|(_, value)| *value);
-                let functions = functions.iter().filter(|(name, ..)| names.contains(&*name.ascii));
-                let values: Vec<&Expression> =
-                    symbols.chain(functions.map(|(_, _, value)| *value)).collect();
+            Change::Replace {
+                symbols,
+                functions,
+                frame,
+            } => {
+                let symbols = symbols
+                    .iter()
+                    .filter(|(key, _)| feels(key))
+                    .map(|(_, value)| *value);
+                let functions = functions
+                    .iter()
+                    .filter(|(name, ..)| names.contains(&*name.ascii));
+                let values: Vec<&Expression> = symbols
+                    .chain(functions.map(|(_, _, value)| *value))
+                    .collect();
                 if *frame > 0 && !values.is_empty() {
                     // The values may mention arguments.
                     return surrounding;
@@ -347,7 +383,11 @@ impl<'a> Evaluator<'a> {
 
     fn declared(&mut self, name: &'a Name, surrounding: usize) -> Result<Table, Failure> {
         let scope = self.scope;
-        match &scope.get(name).ok_or(format!("{name} is not known"))?.meaning {
+        match &scope
+            .get(name)
+            .ok_or(format!("{name} is not known"))?
+            .meaning
+        {
             Meaning::Symbol { .. } => {
                 let key = Key::Symbol(name.ascii.clone(), 0);
                 Ok(vec![vec![self.look_up(&key, surrounding)?]])
@@ -402,9 +442,10 @@ impl<'a> Evaluator<'a> {
                 }
                 Ok(sample)
             }
-            Change::Set(set, value) if set == key => {
-                Ok(Sample { number: value.clone(), angle: None })
-            }
+            Change::Set(set, value) if set == key => Ok(Sample {
+                number: value.clone(),
+                angle: None,
+            }),
             Change::Set(..) => self.look_up(key, parent),
             Change::Replace { symbols, frame, .. } => {
                 let Some(value) = symbols.get(key).copied() else {
@@ -436,12 +477,18 @@ impl<'a> Evaluator<'a> {
 
     fn is_coordinate(&self, name: &str) -> bool {
         let kind = self.scope.kind_of(name);
-        matches!(kind, Some(SymbolKind::Coordinate | SymbolKind::AngularCoordinate))
+        matches!(
+            kind,
+            Some(SymbolKind::Coordinate | SymbolKind::AngularCoordinate)
+        )
     }
 
     fn is_angular(&self, name: &str) -> bool {
         let kind = self.scope.kind_of(name);
-        matches!(kind, Some(SymbolKind::Angle | SymbolKind::AngularCoordinate))
+        matches!(
+            kind,
+            Some(SymbolKind::Angle | SymbolKind::AngularCoordinate)
+        )
     }
 
     fn replacements(&self, place: &'a Place, frame: usize) -> Result<Change<'a>, Failure> {
@@ -462,7 +509,11 @@ impl<'a> Evaluator<'a> {
                 Target::Function(name, order) => functions.push((name, order, value)),
             }
         }
-        Ok(Change::Replace { symbols, functions, frame })
+        Ok(Change::Replace {
+            symbols,
+            functions,
+            frame,
+        })
     }
 
     /// What can be replaced or differentiated by: a symbol, or the value of a function at its
@@ -482,8 +533,16 @@ impl<'a> Evaluator<'a> {
                 _ => Err(format!("{name} is no variable")),
             },
             Node::Derivative(name, order) => Ok(Target::Function(name, *order)),
-            Node::Call { function, arguments, .. } if function.ascii == "dt" => {
-                match arguments.first().map(|inner| self.target(inner, frame)).transpose()? {
+            Node::Call {
+                function,
+                arguments,
+                ..
+            } if function.ascii == "dt" => {
+                match arguments
+                    .first()
+                    .map(|inner| self.target(inner, frame))
+                    .transpose()?
+                {
                     Some(Target::Symbol(Key::Symbol(name, order))) => {
                         Ok(Target::Symbol(Key::Symbol(name, order + 1)))
                     }
@@ -496,9 +555,13 @@ impl<'a> Evaluator<'a> {
 
     /// What an argument of the frame's call stands for, and the frame in which that is read.
     fn argument(&self, name: &Expression, frame: usize) -> Option<(&'a Expression, usize)> {
-        let Node::Name(name) = &name.node else { return None };
+        let Node::Name(name) = &name.node else {
+            return None;
+        };
         let Frame { arguments, caller } = &self.frames[frame];
-        arguments.get(name.ascii.as_str()).map(|argument| (*argument, *caller))
+        arguments
+            .get(name.ascii.as_str())
+            .map(|argument| (*argument, *caller))
     }
 
     /// The key of something that is differentiated by.
@@ -581,9 +644,16 @@ impl<'a> Evaluator<'a> {
         let mut level = surrounding;
         while level > 0 {
             let parent = self.surroundings[level].parent;
-            if let Change::Replace { functions, frame: outside, .. } = &self.surroundings[level].change {
+            if let Change::Replace {
+                functions,
+                frame: outside,
+                ..
+            } = &self.surroundings[level].change
+            {
                 let outside = *outside;
-                let replaced = functions.iter().find(|(known, k, _)| *known == name && *k == order);
+                let replaced = functions
+                    .iter()
+                    .find(|(known, k, _)| *known == name && *k == order);
                 if let Some((known, _, value)) = replaced.copied() {
                     // A replacement names the value that the function has without the replacement.
                     let reference = self.reference(known)?;
@@ -612,7 +682,11 @@ impl<'a> Evaluator<'a> {
     ) -> Result<Key, Failure> {
         let here = argument_of(&self.scalar(argument, surrounding, frame)?);
         let reference = argument_of(&self.scalar(self.reference(name)?, 0, 0)?);
-        let argument = if here == reference { Argument::Reference } else { here };
+        let argument = if here == reference {
+            Argument::Reference
+        } else {
+            here
+        };
         Ok(Key::Function(name.ascii.clone(), order, argument))
     }
 
@@ -648,18 +722,31 @@ impl<'a> Evaluator<'a> {
         let b = self.table(right, surrounding, frame)?;
         match operator {
             BinaryOperator::Add | BinaryOperator::Subtract => {
-                let sign = if operator == BinaryOperator::Add { 1 } else { -1 };
+                let sign = if operator == BinaryOperator::Add {
+                    1
+                } else {
+                    -1
+                };
                 let rows = a.iter().zip(&b);
-                Ok(rows.map(|(a, b)| a.iter().zip(b).map(|(a, b)| add(a, b, sign)).collect()).collect())
+                Ok(rows
+                    .map(|(a, b)| a.iter().zip(b).map(|(a, b)| add(a, b, sign)).collect())
+                    .collect())
             }
             BinaryOperator::Multiply => Ok(self.multiply(&a, &b)),
             BinaryOperator::Divide => {
                 let below = self.only(&b)?;
-                let inverse = self.point.extension.inverse(&below).ok_or("a divisor vanishes")?;
+                let inverse = self
+                    .point
+                    .extension
+                    .inverse(&below)
+                    .ok_or("a divisor vanishes")?;
                 Ok(self.multiply(&a, &single(inverse)))
             }
             BinaryOperator::Power => {
-                let exponent = self.only(&b)?.as_rational().ok_or("an exponent is no number")?;
+                let exponent = self
+                    .only(&b)?
+                    .as_rational()
+                    .ok_or("an exponent is no number")?;
                 self.power(&a, &exponent)
             }
         }
@@ -697,11 +784,16 @@ impl<'a> Evaluator<'a> {
             return scaled(&b[0][0], a);
         }
         let entry = |row: &[Sample], column: usize| {
-            let terms = row.iter().zip(b).map(|(x, line)| extension.product(&x.number, &line[column].number));
+            let terms = row
+                .iter()
+                .zip(b)
+                .map(|(x, line)| extension.product(&x.number, &line[column].number));
             Sample::from(terms.fold(Number::default(), |sum, term| sum.sum(&term)))
         };
         let width = b.first().map_or(0, Vec::len);
-        a.iter().map(|row| (0..width).map(|column| entry(row, column)).collect()).collect()
+        a.iter()
+            .map(|row| (0..width).map(|column| entry(row, column)).collect())
+            .collect()
     }
 
     fn power(&mut self, base: &Table, exponent: &Rational) -> Result<Table, Failure> {
@@ -721,7 +813,11 @@ impl<'a> Evaluator<'a> {
             (self.root(&number)?, twice.numerator().clone())
         };
         if count < Integer::ZERO {
-            base = self.point.extension.inverse(&base).ok_or("a divisor vanishes")?;
+            base = self
+                .point
+                .extension
+                .inverse(&base)
+                .ok_or("a divisor vanishes")?;
             count = -count;
         }
         let count = u64::try_from(count).map_err(|_| "an exponent is too large")?;
@@ -729,7 +825,11 @@ impl<'a> Evaluator<'a> {
     }
 
     fn root(&mut self, square: &Number) -> Result<Number, Failure> {
-        if square.base().as_rational().is_some_and(|square| square < Rational::ZERO) {
+        if square
+            .base()
+            .as_rational()
+            .is_some_and(|square| square < Rational::ZERO)
+        {
             return Err("the root of a negative number".into());
         }
         let root = self.point.extension.square_root(square);
@@ -757,10 +857,22 @@ impl<'a> Evaluator<'a> {
             (Some(Meaning::Function { .. }), [argument]) => {
                 self.function(function, order, argument, surrounding, frame)
             }
-            (Some(Meaning::Template { arguments: names, expression }), _) => {
+            (
+                Some(Meaning::Template {
+                    arguments: names,
+                    expression,
+                }),
+                _,
+            ) => {
                 let names = names.iter().map(|name| name.ascii.as_str());
                 let arguments = names.zip(arguments).collect();
-                let inside = index_of(&mut self.frames, Frame { arguments, caller: frame });
+                let inside = index_of(
+                    &mut self.frames,
+                    Frame {
+                        arguments,
+                        caller: frame,
+                    },
+                );
                 self.table(expression, surrounding, inside)
             }
             (Some(_), _) => Err(format!("{function} is no function")),
@@ -785,7 +897,11 @@ impl<'a> Evaluator<'a> {
                     "tan" => (sine, cosine),
                     _ => (cosine, sine),
                 };
-                let inverse = self.point.extension.inverse(&below).ok_or("a divisor vanishes")?;
+                let inverse = self
+                    .point
+                    .extension
+                    .inverse(&below)
+                    .ok_or("a divisor vanishes")?;
                 Ok(single(self.point.extension.product(&above, &inverse)))
             }
             ("sqrt", [square]) => {
@@ -803,12 +919,17 @@ impl<'a> Evaluator<'a> {
                 let inside = self.within(surrounding, Change::Time(step));
                 let table = self.table(inner, inside, frame)?;
                 self.nilpotents = index;
-                Ok(each(&table, |entry| Sample::from(entry.number.coefficient(index..index + 1))))
+                Ok(each(&table, |entry| {
+                    Sample::from(entry.number.coefficient(index..index + 1))
+                }))
             }
             ("d", [value, variables]) => self.jacobian(value, variables, surrounding, frame),
             ("det", [matrix]) => {
                 let matrix = self.table(matrix, surrounding, frame)?;
-                Ok(single(determinant(&numbers(&matrix), &self.point.extension)))
+                Ok(single(determinant(
+                    &numbers(&matrix),
+                    &self.point.extension,
+                )))
             }
             ("adjugate", [matrix]) => {
                 let matrix = self.table(matrix, surrounding, frame)?;
@@ -836,8 +957,13 @@ impl<'a> Evaluator<'a> {
             }
             ("trace", [matrix]) => {
                 let matrix = self.table(matrix, surrounding, frame)?;
-                let diagonal = matrix.iter().enumerate().map(|(place, row)| &row[place].number);
-                Ok(single(diagonal.fold(Number::default(), |sum, entry| sum.sum(entry))))
+                let diagonal = matrix
+                    .iter()
+                    .enumerate()
+                    .map(|(place, row)| &row[place].number);
+                Ok(single(
+                    diagonal.fold(Number::default(), |sum, entry| sum.sum(entry)),
+                ))
             }
             ("diagonal", entries) => {
                 let mut table = identity(entries.len());
@@ -855,7 +981,11 @@ impl<'a> Evaluator<'a> {
             ("row", [matrix, place]) => {
                 let matrix = self.table(matrix, surrounding, frame)?;
                 let place = self.natural(place, surrounding, frame)?;
-                select(&matrix, &[place], &(1..=matrix[0].len()).collect::<Vec<_>>())
+                select(
+                    &matrix,
+                    &[place],
+                    &(1..=matrix[0].len()).collect::<Vec<_>>(),
+                )
             }
             ("column", [matrix, place]) => {
                 let matrix = self.table(matrix, surrounding, frame)?;
@@ -880,8 +1010,12 @@ impl<'a> Evaluator<'a> {
                 let coefficients = self.interpolation(polynomial, &key, surrounding, frame)?;
                 let degree = coefficients.len() - 1;
                 let entry = |row: usize, column: usize| {
-                    let index = (2 * column + 2).checked_sub(row + 1).filter(|index| *index <= degree);
-                    index.map(|index| coefficients[degree - index].clone()).unwrap_or_default()
+                    let index = (2 * column + 2)
+                        .checked_sub(row + 1)
+                        .filter(|index| *index <= degree);
+                    index
+                        .map(|index| coefficients[degree - index].clone())
+                        .unwrap_or_default()
                 };
                 let row = |row: usize| (0..size).map(|column| entry(row, column)).collect();
                 let matrix: Vec<Vec<Number>> = (0..size).map(row).collect();
@@ -893,7 +1027,8 @@ impl<'a> Evaluator<'a> {
                 let parts = self.expansion(value, keys, order, surrounding, frame)?;
                 let sum = parts.into_iter().reduce(|sum, part| {
                     let rows = sum.iter().zip(&part);
-                    rows.map(|(a, b)| a.iter().zip(b).map(|(a, b)| a.sum(b)).collect()).collect()
+                    rows.map(|(a, b)| a.iter().zip(b).map(|(a, b)| a.sum(b)).collect())
+                        .collect()
                 });
                 Ok(samples(sum.unwrap_or_default()))
             }
@@ -908,9 +1043,11 @@ impl<'a> Evaluator<'a> {
         frame: usize,
     ) -> Result<Vec<usize>, Failure> {
         match &list.node {
-            Node::Matrix(rows) => {
-                rows.iter().flatten().map(|entry| self.natural(entry, surrounding, frame)).collect()
-            }
+            Node::Matrix(rows) => rows
+                .iter()
+                .flatten()
+                .map(|entry| self.natural(entry, surrounding, frame))
+                .collect(),
             _ => Ok(vec![self.natural(list, surrounding, frame)?]),
         }
     }
@@ -919,7 +1056,10 @@ impl<'a> Evaluator<'a> {
     /// series from those of a nilpotent n.
     fn circular(&mut self, angle: &Sample) -> Result<(Number, Number), Failure> {
         let tag = angle.angle.as_ref().ok_or("the sine of what is no angle")?;
-        let (cosine, sine) = self.point.circle_of(tag).ok_or("too large a multiple of an angle")?;
+        let (cosine, sine) = self
+            .point
+            .circle_of(tag)
+            .ok_or("too large a multiple of an angle")?;
         let step = angle.number.step();
         let extension = &self.point.extension;
         let (mut even, mut odd) = (Number::from(1), Number::default());
@@ -949,15 +1089,25 @@ impl<'a> Evaluator<'a> {
         let (x0, y0) = (x.base(), y.base());
         let square = {
             let extension = &self.point.extension;
-            extension.product(&x0, &x0).sum(&extension.product(&y0, &y0))
+            extension
+                .product(&x0, &x0)
+                .sum(&extension.product(&y0, &y0))
         };
         let length = self.root(&square)?;
-        let inverse = self.point.extension.inverse(&length).ok_or("the vector vanishes")?;
+        let inverse = self
+            .point
+            .extension
+            .inverse(&length)
+            .ok_or("the vector vanishes")?;
         let product = |a: &Number, b: &Number| self.point.extension.product(a, b);
         let (cosine, sine) = (product(&x0, &inverse), product(&y0, &inverse));
         let across = product(&cosine, y).difference(&product(&sine, x));
         let along = product(&cosine, x).sum(&product(&sine, y));
-        let below = self.point.extension.inverse(&along).ok_or("the vector vanishes")?;
+        let below = self
+            .point
+            .extension
+            .inverse(&along)
+            .ok_or("the vector vanishes")?;
         let tangent = product(&across, &below);
         let square = product(&tangent, &tangent).negative();
         let (mut turn, mut power, mut k) = (Number::default(), tangent, 1);
@@ -976,7 +1126,10 @@ impl<'a> Evaluator<'a> {
             let measure = self.point.value(&Key::Symbol(name, 0));
             sum.sum(&measure.scale(&Rational::from(count.clone())))
         });
-        Ok(Sample { number, angle: Some(tag) })
+        Ok(Sample {
+            number,
+            angle: Some(tag),
+        })
     }
 
     /// The sum of declared angles with the given cosine and sine, or a new atom for it.
@@ -1012,7 +1165,11 @@ impl<'a> Evaluator<'a> {
             let table = self.table(value, inside, frame)?;
             self.nilpotents = index;
             let entries = table.iter().flatten();
-            columns.push(entries.map(|entry| entry.number.coefficient(index..index + 1)).collect());
+            columns.push(
+                entries
+                    .map(|entry| entry.number.coefficient(index..index + 1))
+                    .collect(),
+            );
         }
         let height = columns.first().map_or(0, Vec::len);
         let row = |row: usize| columns.iter().map(|column| column[row].clone()).collect();
@@ -1047,7 +1204,12 @@ impl<'a> Evaluator<'a> {
                 let coefficient = sample.number.coefficient(first..first + degree);
                 coefficient.without(first..first + order).scale(&factorial)
             };
-            parts.push(table.iter().map(|row| row.iter().map(part).collect()).collect());
+            parts.push(
+                table
+                    .iter()
+                    .map(|row| row.iter().map(part).collect())
+                    .collect(),
+            );
         }
         Ok(parts)
     }
@@ -1106,10 +1268,12 @@ fn expand_newton(newton: &[Number], first: i64) -> Vec<Number> {
 
 /// Where an item stands in a list, which it joins if it is new.
 fn index_of<T: PartialEq>(list: &mut Vec<T>, item: T) -> usize {
-    list.iter().position(|known| *known == item).unwrap_or_else(|| {
-        list.push(item);
-        list.len() - 1
-    })
+    list.iter()
+        .position(|known| *known == item)
+        .unwrap_or_else(|| {
+            list.push(item);
+            list.len() - 1
+        })
 }
 
 fn argument_of(sample: &Sample) -> Argument {
@@ -1124,7 +1288,10 @@ fn combine(a: &Tag, b: &Tag, k: i64) -> Tag {
     let mut tag = Tag::new();
     let factor = Integer::from(k);
     if b.is_empty() {
-        tag.extend(a.iter().map(|(atom, count)| (atom.clone(), count * &factor)));
+        tag.extend(
+            a.iter()
+                .map(|(atom, count)| (atom.clone(), count * &factor)),
+        );
     } else {
         tag.clone_from(a);
         for (atom, count) in b {
@@ -1136,7 +1303,11 @@ fn combine(a: &Tag, b: &Tag, k: i64) -> Tag {
 }
 
 fn add(a: &Sample, b: &Sample, sign: i64) -> Sample {
-    let number = if sign > 0 { a.number.sum(&b.number) } else { a.number.difference(&b.number) };
+    let number = if sign > 0 {
+        a.number.sum(&b.number)
+    } else {
+        a.number.difference(&b.number)
+    };
     let angle = match (&a.angle, &b.angle) {
         (Some(a), Some(b)) if b.is_empty() => Some(a.clone()),
         (Some(a), Some(b)) => Some(combine(a, b, sign)),
@@ -1146,18 +1317,26 @@ fn add(a: &Sample, b: &Sample, sign: i64) -> Sample {
 }
 
 fn each(table: &Table, image: impl Fn(&Sample) -> Sample) -> Table {
-    table.iter().map(|row| row.iter().map(&image).collect()).collect()
+    table
+        .iter()
+        .map(|row| row.iter().map(&image).collect())
+        .collect()
 }
 
 fn identity(size: usize) -> Table {
     let entry = |row: usize, column: usize| Sample::from(Number::from(i64::from(row == column)));
-    (0..size).map(|row| (0..size).map(|column| entry(row, column)).collect()).collect()
+    (0..size)
+        .map(|row| (0..size).map(|column| entry(row, column)).collect())
+        .collect()
 }
 
 /// Rows and columns counted from 1.
 fn select(table: &Table, rows: &[usize], columns: &[usize]) -> Result<Table, Failure> {
     let entry = |row: usize, column: usize| -> Option<Sample> {
-        table.get(row.checked_sub(1)?)?.get(column.checked_sub(1)?).cloned()
+        table
+            .get(row.checked_sub(1)?)?
+            .get(column.checked_sub(1)?)
+            .cloned()
     };
     rows.iter()
         .map(|row| columns.iter().map(|column| entry(*row, *column)).collect())

@@ -51,7 +51,13 @@ impl From<i64> for Number {
 
 impl Number {
     fn part(set: u32, value: Rational) -> Self {
-        Number { parts: if value.is_zero() { SmallVec::new() } else { smallvec![(set, value)] } }
+        Number {
+            parts: if value.is_zero() {
+                SmallVec::new()
+            } else {
+                smallvec![(set, value)]
+            },
+        }
     }
 
     /// The sum of parts in any order.
@@ -71,7 +77,14 @@ impl Number {
 
     /// The parts whose sets are wanted.
     fn select(&self, wanted: impl Fn(u32) -> bool) -> Self {
-        Number { parts: self.parts.iter().filter(|(set, _)| wanted(*set)).cloned().collect() }
+        Number {
+            parts: self
+                .parts
+                .iter()
+                .filter(|(set, _)| wanted(*set))
+                .cloned()
+                .collect(),
+        }
     }
 
     /// The nilpotent element of an index, if there are so many.
@@ -107,7 +120,10 @@ impl Number {
     pub fn coefficient(&self, indices: std::ops::Range<u32>) -> Self {
         let wanted = indices.fold(0, |set, index| set | 1 << index);
         let mut coefficient = self.select(|set| set & wanted == wanted);
-        coefficient.parts.iter_mut().for_each(|(set, _)| *set &= !wanted);
+        coefficient
+            .parts
+            .iter_mut()
+            .for_each(|(set, _)| *set &= !wanted);
         coefficient
     }
 
@@ -129,7 +145,13 @@ impl Number {
 
     /// −a
     pub fn negative(&self) -> Self {
-        Number { parts: self.parts.iter().map(|(set, value)| (*set, -value.clone())).collect() }
+        Number {
+            parts: self
+                .parts
+                .iter()
+                .map(|(set, value)| (*set, -value.clone()))
+                .collect(),
+        }
     }
 
     /// a − b
@@ -142,14 +164,21 @@ impl Number {
         if factor.is_zero() {
             return Number::default();
         }
-        Number { parts: self.parts.iter().map(|(set, value)| (*set, value * factor)).collect() }
+        Number {
+            parts: self
+                .parts
+                .iter()
+                .map(|(set, value)| (*set, value * factor))
+                .collect(),
+        }
     }
 
     /// As a person reads it: `3/2 + 5*sqrt(2)`.
     pub fn display(&self, extension: &Extension) -> String {
         let mut text = String::new();
         for (set, value) in &self.parts {
-            let roots = (0..MOST_ROOTS).filter(|root| set & (1 << (NILPOTENTS + *root as u32)) != 0);
+            let roots =
+                (0..MOST_ROOTS).filter(|root| set & (1 << (NILPOTENTS + *root as u32)) != 0);
             let roots = roots.filter_map(|root| extension.squares.get(root));
             let roots: Vec<String> = roots.map(|square| format!("sqrt({square})")).collect();
             let sign = match (text.is_empty(), *value < Rational::ZERO) {
@@ -158,7 +187,11 @@ impl Number {
                 (false, false) => " + ",
                 (false, true) => " - ",
             };
-            let size = if *value < Rational::ZERO { -value.clone() } else { value.clone() };
+            let size = if *value < Rational::ZERO {
+                -value.clone()
+            } else {
+                value.clone()
+            };
             text += sign;
             text += &match roots.len() {
                 0 => size.to_string(),
@@ -172,8 +205,13 @@ impl Number {
 
 /// The machine words of a number's parts.
 fn words(number: &Number) -> u64 {
-    let of = |value: &Rational| (value.numerator().bit_len() + value.denominator().bit_len()) / 64 + 1;
-    number.parts.iter().map(|(_, value)| of(value)).sum::<usize>() as u64
+    let of =
+        |value: &Rational| (value.numerator().bit_len() + value.denominator().bit_len()) / 64 + 1;
+    number
+        .parts
+        .iter()
+        .map(|(_, value)| of(value))
+        .sum::<usize>() as u64
 }
 
 impl Extension {
@@ -190,20 +228,31 @@ impl Extension {
     /// a·b; 0 where that is too much work, see [`Extension::is_exhausted`].
     pub fn product(&self, a: &Number, b: &Number) -> Number {
         let (left, right) = (words(a), words(b));
-        let work = if left.max(right) > LONGEST { u64::MAX } else { left * right };
+        let work = if left.max(right) > LONGEST {
+            u64::MAX
+        } else {
+            left * right
+        };
         self.work.set(self.work.get().saturating_add(work));
         if self.is_exhausted() {
             return Number::default();
         }
-        let pairs = a.parts.iter().flat_map(|left| b.parts.iter().map(move |right| (left, right)));
+        let pairs = a
+            .parts
+            .iter()
+            .flat_map(|left| b.parts.iter().map(move |right| (left, right)));
         let products = pairs.filter_map(|((left, x), (right, y))| {
             let twice = left & right;
             if twice & NILPOTENT != 0 {
                 return None;
             }
             let squares = self.squares.iter().enumerate();
-            let squares = squares.filter(|(index, _)| twice & 1 << (NILPOTENTS + *index as u32) != 0);
-            Some((left ^ right, squares.fold(x * y, |value, (_, square)| value * square)))
+            let squares =
+                squares.filter(|(index, _)| twice & 1 << (NILPOTENTS + *index as u32) != 0);
+            Some((
+                left ^ right,
+                squares.fold(x * y, |value, (_, square)| value * square),
+            ))
         });
         Number::collect(products)
     }
@@ -290,11 +339,16 @@ impl Extension {
     pub fn adjoin(&mut self, square: Rational) -> Option<Number> {
         let known = self.squares.len();
         if let Some(index) = self.squares.iter().position(|known| *known == square) {
-            return Some(Number::part(1 << (NILPOTENTS + index as u32), Rational::ONE));
+            return Some(Number::part(
+                1 << (NILPOTENTS + index as u32),
+                Rational::ONE,
+            ));
         }
         for set in 1..1_u32 << known {
             let chosen = (0..known).filter(|index| set & 1 << index != 0);
-            let product = chosen.fold(Rational::ONE, |product, index| product * &self.squares[index]);
+            let product = chosen.fold(Rational::ONE, |product, index| {
+                product * &self.squares[index]
+            });
             if product > Rational::ZERO
                 && let Some(root) = exact_root(&(&product * &square))
             {

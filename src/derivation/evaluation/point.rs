@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::algebra::number::{Integer, Rational};
 use crate::algebra::sign::Signs;
+use crate::derivation::visit::primed;
 
 use super::number::{Extension, Number};
 
@@ -96,14 +97,14 @@ impl Point {
             Key::Symbol(name, 0) => (name.clone(), self.signs.get(name).copied()),
             Key::Symbol(name, order) => (nested_dt(name, *order), None),
             Key::Function(name, order, argument) => {
-                let primed = match order {
-                    0 => name.clone(),
-                    1 => format!("d{name}"),
-                    _ => format!("d{order}{name}"),
-                };
+                let primed = primed(name, *order);
                 match argument {
                     Argument::Reference => (primed, None),
-                    argument => (format!("{primed}({argument:?})"), None),
+                    Argument::Angle(tag) => (format!("{primed}({})", written(tag)), None),
+                    Argument::Number(number) => (
+                        format!("{primed}({})", number.display(&self.extension)),
+                        None,
+                    ),
                 }
             }
         };
@@ -143,7 +144,9 @@ impl Point {
         let mut result = (Number::from(1), Number::from(0));
         for (atom, count) in tag {
             let (cosine, sine) = self.circle(atom);
-            let count = i64::try_from(count).ok().filter(|count| count.abs() <= 64)?;
+            let count = i64::try_from(count)
+                .ok()
+                .filter(|count| count.abs() <= 64)?;
             let sine = if count < 0 { sine.negative() } else { sine };
             for _ in 0..count.unsigned_abs() {
                 let extension = &self.extension;
@@ -173,8 +176,16 @@ impl Point {
         }
         let value = self.random(name);
         // Random values are never 0; the sign is the only thing to mend.
-        let value = if signs.positive || value < Rational::ZERO { value } else { -value };
-        let value = if signs.negative || value > Rational::ZERO { value } else { -value };
+        let value = if signs.positive || value < Rational::ZERO {
+            value
+        } else {
+            -value
+        };
+        let value = if signs.negative || value > Rational::ZERO {
+            value
+        } else {
+            -value
+        };
         self.drawn.insert(name.to_string(), value.clone());
         value
     }
@@ -188,13 +199,38 @@ impl Point {
         let numerator = mix(state) % self.size.numerator + 1;
         let denominator = mix(state ^ 1) % self.size.denominator + 1;
         let value = Rational::from_parts(numerator.into(), denominator.into());
-        if mix(state ^ 2) % 2 == 0 { value } else { -value }
+        if mix(state ^ 2) % 2 == 0 {
+            value
+        } else {
+            -value
+        }
     }
 }
 
 /// `dt(dt(x))`
 fn nested_dt(name: &str, order: u32) -> String {
     (0..order).fold(name.to_string(), |inner, _| format!("dt({inner})"))
+}
+
+/// `alpha_0 + theta_0`
+fn written(tag: &Tag) -> String {
+    let terms = tag.iter().map(|(atom, count)| {
+        let name = match atom {
+            Atom::Named(name) => name.clone(),
+            Atom::Direction(index) => format!("direction {index}"),
+        };
+        if *count == Integer::ONE {
+            name
+        } else {
+            format!("{count}*{name}")
+        }
+    });
+    let terms: Vec<String> = terms.collect();
+    if terms.is_empty() {
+        "0".into()
+    } else {
+        terms.join(" + ")
+    }
 }
 
 /// Spreads the bits of a number (the finaliser of SplitMix64).

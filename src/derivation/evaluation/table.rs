@@ -36,12 +36,18 @@ pub fn single(number: Number) -> Table {
 
 /// The numbers of a table.
 pub fn numbers(table: &Table) -> Vec<Vec<Number>> {
-    table.iter().map(|row| row.iter().map(|sample| sample.number.clone()).collect()).collect()
+    table
+        .iter()
+        .map(|row| row.iter().map(|sample| sample.number.clone()).collect())
+        .collect()
 }
 
 /// A table of numbers that are no angles.
 pub fn samples(numbers: Vec<Vec<Number>>) -> Table {
-    numbers.into_iter().map(|row| row.into_iter().map(Sample::from).collect()).collect()
+    numbers
+        .into_iter()
+        .map(|row| row.into_iter().map(Sample::from).collect())
+        .collect()
 }
 
 /// Gaussian elimination on [A | B] with a square A: (|A|, A⁻¹B), the latter where A is invertible.
@@ -54,8 +60,11 @@ pub fn eliminate(
     extension: &Extension,
 ) -> Option<(Number, Vec<Vec<Number>>)> {
     let size = matrix.len();
-    let mut rows: Vec<Vec<Number>> =
-        matrix.iter().zip(right).map(|(a, b)| a.iter().chain(b).cloned().collect()).collect();
+    let mut rows: Vec<Vec<Number>> = matrix
+        .iter()
+        .zip(right)
+        .map(|(a, b)| a.iter().chain(b).cloned().collect())
+        .collect();
     let mut determinant = Number::from(1);
     for column in 0..size {
         let pivot = (column..size).find(|row| extension.inverse(&rows[*row][column]).is_some());
@@ -69,8 +78,10 @@ pub fn eliminate(
         }
         determinant = extension.product(&determinant, &rows[column][column]);
         let inverse = extension.inverse(&rows[column][column])?;
-        let normalised: Vec<Number> =
-            rows[column].iter().map(|entry| extension.product(entry, &inverse)).collect();
+        let normalised: Vec<Number> = rows[column]
+            .iter()
+            .map(|entry| extension.product(entry, &inverse))
+            .collect();
         for (index, row) in rows.iter_mut().enumerate() {
             if index != column {
                 let factor = row[column].clone();
@@ -81,7 +92,10 @@ pub fn eliminate(
         }
         rows[column] = normalised;
     }
-    Some((determinant, rows.into_iter().map(|row| row[size..].to_vec()).collect()))
+    Some((
+        determinant,
+        rows.into_iter().map(|row| row[size..].to_vec()).collect(),
+    ))
 }
 
 /// |A| by expansion along the rows, each minor of the last rows computed once; of large matrices by
@@ -93,7 +107,12 @@ pub fn determinant(matrix: &[Vec<Number>], extension: &Extension) -> Number {
             return determinant;
         }
     }
-    minor(matrix, &(0..matrix.len()).collect::<Vec<_>>(), extension, &mut BTreeMap::new())
+    minor(
+        matrix,
+        &(0..matrix.len()).collect::<Vec<_>>(),
+        extension,
+        &mut BTreeMap::new(),
+    )
 }
 
 /// The minor of the last rows and as many columns.
@@ -111,10 +130,18 @@ fn minor(
     }
     let row = &matrix[matrix.len() - columns.len()];
     let mut sum = Number::default();
-    for (place, column) in columns.iter().enumerate().filter(|(_, column)| !row[**column].is_zero()) {
+    for (place, column) in columns
+        .iter()
+        .enumerate()
+        .filter(|(_, column)| !row[**column].is_zero())
+    {
         let others = [&columns[..place], &columns[place + 1..]].concat();
         let term = extension.product(&row[*column], &minor(matrix, &others, extension, known));
-        sum = if place % 2 == 0 { sum.sum(&term) } else { sum.difference(&term) };
+        sum = if place % 2 == 0 {
+            sum.sum(&term)
+        } else {
+            sum.difference(&term)
+        };
     }
     known.insert(columns.to_vec(), sum.clone());
     sum
@@ -128,9 +155,15 @@ pub fn adjugate(matrix: &[Vec<Number>], extension: &Extension) -> Vec<Vec<Number
             return Number::from(1);
         }
         let minor = determinant(&without(matrix, column, row), extension);
-        if (row + column) % 2 == 0 { minor } else { minor.negative() }
+        if (row + column) % 2 == 0 {
+            minor
+        } else {
+            minor.negative()
+        }
     };
-    (0..size).map(|row| (0..size).map(|column| cofactor(row, column)).collect()).collect()
+    (0..size)
+        .map(|row| (0..size).map(|column| cofactor(row, column)).collect())
+        .collect()
 }
 
 /// The columns that span {x : A·x = 0}, each with a 1 at a free place and zeros at the others; nothing
@@ -146,8 +179,10 @@ pub fn null_space(matrix: &[Vec<Number>], extension: &Extension) -> Option<Vec<V
         };
         rows.swap(rank, found);
         let inverse = extension.inverse(&rows[rank][column])?;
-        let normalised: Vec<Number> =
-            rows[rank].iter().map(|entry| extension.product(entry, &inverse)).collect();
+        let normalised: Vec<Number> = rows[rank]
+            .iter()
+            .map(|entry| extension.product(entry, &inverse))
+            .collect();
         for row in &mut rows {
             let factor = row[column].clone();
             for (entry, pivot_entry) in row.iter_mut().zip(&normalised) {
@@ -157,18 +192,28 @@ pub fn null_space(matrix: &[Vec<Number>], extension: &Extension) -> Option<Vec<V
         rows[rank] = normalised;
         pivots.push(column);
     }
-    let free: Vec<usize> = (0..width).filter(|column| !pivots.contains(column)).collect();
-    let entry = |place: usize, column: usize| match pivots.iter().position(|pivot| *pivot == place) {
+    let free: Vec<usize> = (0..width)
+        .filter(|column| !pivots.contains(column))
+        .collect();
+    let entry = |place: usize, column: usize| match pivots.iter().position(|pivot| *pivot == place)
+    {
         Some(row) => rows[row][column].negative(),
         None => Number::from(i64::from(place == column)),
     };
-    Some((0..width).map(|place| free.iter().map(|column| entry(place, *column)).collect()).collect())
+    Some(
+        (0..width)
+            .map(|place| free.iter().map(|column| entry(place, *column)).collect())
+            .collect(),
+    )
 }
 
 fn without(matrix: &[Vec<Number>], row: usize, column: usize) -> Vec<Vec<Number>> {
     let rows = matrix.iter().enumerate().filter(|(index, _)| *index != row);
     rows.map(|(_, line)| {
-        let entries = line.iter().enumerate().filter(|(index, _)| *index != column);
+        let entries = line
+            .iter()
+            .enumerate()
+            .filter(|(index, _)| *index != column);
         entries.map(|(_, entry)| entry.clone()).collect()
     })
     .collect()

@@ -209,7 +209,10 @@ fn moved(shape: usize, k: i32, world: &World, point: &Point) -> (Substitution, P
         // All at once: they change places.
         1 => vec![(a, ring.element(b)), (b, ring.element(a))],
         2 => vec![(x, ring.product(&ring.element(a), &ring.element(b)).unwrap())],
-        3 => vec![(u, Fraction::from(Rational::from(k.abs() + 1))), (x, ring.zero())],
+        3 => vec![
+            (u, Fraction::from(Rational::from(k.abs() + 1))),
+            (x, ring.zero()),
+        ],
         _ => {
             // α becomes k α + β, or 0, and β the other way round.
             let own = world.angle(&if shape == 4 { [k, 1, 0, 0] } else { [0; 4] });
@@ -245,7 +248,10 @@ fn values_of_functions_can_be_replaced() {
     let value = Term::Function(0).element(&mut world).unwrap();
     let slope = Term::Function(1).element(&mut world).unwrap();
     let ring = &mut world.ring;
-    let (f, g) = (ring.as_symbol(&value).unwrap(), ring.as_symbol(&slope).unwrap());
+    let (f, g) = (
+        ring.as_symbol(&value).unwrap(),
+        ring.as_symbol(&slope).unwrap(),
+    );
     let product = ring.product(&value, &slope).unwrap();
     let substitution = Substitution::from([(f, slope.clone()), (g, ring.one())]);
     assert_eq!(ring.substitute(&product, &substitution), Ok(slope));
@@ -258,10 +264,19 @@ fn what_has_no_value_is_refused() {
     let ring = &mut world.ring;
     let inverse = ring.quotient(&ring.one(), &ring.element(u)).unwrap();
     let at_zero = Substitution::from([(u, ring.zero())]);
-    assert_eq!(ring.substitute(&inverse, &at_zero), Err(AlgebraError::DivisionByZero));
-    assert_eq!(ring.expand(&inverse, &[u], 1), Err(AlgebraError::DivisionByZero));
+    assert_eq!(
+        ring.substitute(&inverse, &at_zero),
+        Err(AlgebraError::DivisionByZero)
+    );
+    assert_eq!(
+        ring.expand(&inverse, &[u], 1),
+        Err(AlgebraError::DivisionByZero)
+    );
     let sine = Term::Sine([1, 0, 0, 0]).element(&mut world).unwrap();
     let ring = &mut world.ring;
     let no_angle = Substitution::from([(alpha, ring.element(a))]);
-    assert_eq!(ring.substitute(&sine, &no_angle), Err(AlgebraError::NotAnAngle));
+    assert_eq!(
+        ring.substitute(&sine, &no_angle),
+        Err(AlgebraError::NotAnAngle)
+    );
 }

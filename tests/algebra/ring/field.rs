@@ -183,14 +183,20 @@ fn there_is_no_division_by_what_folds_to_zero() {
         Term::Quotient(Box::new(Term::I), Box::new(zero.clone())),
         Term::Power(Box::new(zero), -2),
     ] {
-        assert_eq!(quotient.element(&mut world), Err(AlgebraError::DivisionByZero));
+        assert_eq!(
+            quotient.element(&mut world),
+            Err(AlgebraError::DivisionByZero)
+        );
     }
 }
 
 #[test]
 fn symbols_are_made_once_and_found_again() {
     let mut world = World::new((0, 0));
-    let again = world.ring.symbol(Generator::Constant { name: "a".into() }).unwrap();
+    let again = world
+        .ring
+        .symbol(Generator::Constant { name: "a".into() })
+        .unwrap();
     assert_eq!(again, world.free[0]);
     let a = world.ring.element(again);
     assert_eq!(world.ring.as_symbol(&a), Some(again));
@@ -198,7 +204,14 @@ fn symbols_are_made_once_and_found_again() {
     let square = world.ring.product(&a, &a).unwrap();
     let inverse = world.ring.quotient(&world.ring.one(), &a).unwrap();
     let shifted = world.ring.sum(&a, &world.ring.one()).unwrap();
-    for other in [twice, square, inverse, shifted, world.ring.one(), world.ring.zero()] {
+    for other in [
+        twice,
+        square,
+        inverse,
+        shifted,
+        world.ring.one(),
+        world.ring.zero(),
+    ] {
         assert_eq!(world.ring.as_symbol(&other), None);
     }
 }

@@ -26,34 +26,59 @@ fn by_permutations(size: usize, entries: &[i32]) -> i64 {
             return 1;
         }
         let mut sum = 0;
-        for column in (0..size).filter(|column| !used.contains(column)).collect::<Vec<_>>() {
+        for column in (0..size)
+            .filter(|column| !used.contains(column))
+            .collect::<Vec<_>>()
+        {
             let inversions = used.iter().filter(|earlier| **earlier > column).count();
             used.push(column);
-            let product = i64::from(entries[row * size + column]) * rest(size, entries, row + 1, used);
+            let product =
+                i64::from(entries[row * size + column]) * rest(size, entries, row + 1, used);
             used.pop();
-            sum += if inversions % 2 == 0 { product } else { -product };
+            sum += if inversions % 2 == 0 {
+                product
+            } else {
+                -product
+            };
         }
         sum
     }
     rest(size, entries, 0, &mut Vec::new())
 }
 
-fn symbolic(terms: &[Term], size: usize, world: &mut World) -> Result<Matrix<Fraction>, TestCaseError> {
-    Matrix::try_from_fn(size, size, |row, column| element(&terms[row * size + column], world))
+fn symbolic(
+    terms: &[Term],
+    size: usize,
+    world: &mut World,
+) -> Result<Matrix<Fraction>, TestCaseError> {
+    Matrix::try_from_fn(size, size, |row, column| {
+        element(&terms[row * size + column], world)
+    })
 }
 
 fn same(ring: &Ring, a: &Matrix<Fraction>, b: &Matrix<Fraction>) -> Result<bool, TestCaseError> {
-    let canonical = |matrix: &Matrix<Fraction>| matrix.try_map(|entry| ring.canonical(entry)).done();
+    let canonical =
+        |matrix: &Matrix<Fraction>| matrix.try_map(|entry| ring.canonical(entry)).done();
     Ok(canonical(a)? == canonical(b)?)
 }
 
 fn scaled_identity(size: usize, factor: &Fraction, ring: &Ring) -> Matrix<Fraction> {
-    Matrix::from_fn(size, size, |row, column| if row == column { factor.clone() } else { ring.zero() })
+    Matrix::from_fn(size, size, |row, column| {
+        if row == column {
+            factor.clone()
+        } else {
+            ring.zero()
+        }
+    })
 }
 
 fn entries() -> impl Strategy<Value = (usize, usize, Vec<i32>)> {
     (1..=4_usize, 1..=5_usize).prop_flat_map(|(rows, columns)| {
-        (Just(rows), Just(columns), prop::collection::vec(-2..=2_i32, rows * columns))
+        (
+            Just(rows),
+            Just(columns),
+            prop::collection::vec(-2..=2_i32, rows * columns),
+        )
     })
 }
 
@@ -157,14 +182,25 @@ proptest! {
 #[test]
 fn entries_are_where_they_were_put() {
     let matrix = Matrix::from_fn(2, 3, |row, column| 10 * row + column);
-    assert_eq!((matrix.rows(), matrix.columns(), matrix.shape()), (2, 3, (2, 3)));
+    assert_eq!(
+        (matrix.rows(), matrix.columns(), matrix.shape()),
+        (2, 3, (2, 3))
+    );
     assert!(!matrix.is_square() && matrix.select(&[0, 1], &[2, 0]).is_square());
     assert_eq!(matrix.entries(), [0, 1, 2, 10, 11, 12]);
     assert_eq!(*matrix.at(1, 2), 12);
     assert_eq!(matrix.transpose().entries(), [0, 10, 1, 11, 2, 12]);
     assert_eq!(matrix.select(&[1], &[2, 0]).entries(), [12, 10]);
-    assert_eq!(matrix.map(|entry| entry + 1).entries(), [1, 2, 3, 11, 12, 13]);
-    let zipped = matrix.zip_with(&matrix, |a, b| Ok::<usize, ()>(a + b)).unwrap();
+    assert_eq!(
+        matrix.map(|entry| entry + 1).entries(),
+        [1, 2, 3, 11, 12, 13]
+    );
+    let zipped = matrix
+        .zip_with(&matrix, |a, b| Ok::<usize, ()>(a + b))
+        .unwrap();
     assert_eq!(zipped, matrix.map(|entry| 2 * entry));
-    assert_eq!(matrix.try_map(|entry| if *entry < 12 { Ok(*entry) } else { Err("late") }), Err("late"));
+    assert_eq!(
+        matrix.try_map(|entry| if *entry < 12 { Ok(*entry) } else { Err("late") }),
+        Err("late")
+    );
 }

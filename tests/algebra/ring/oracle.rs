@@ -25,7 +25,10 @@ pub struct Point {
 pub fn circle_point(t: &Rational) -> (Rational, Rational) {
     let square = t * t;
     let below = Rational::ONE + &square;
-    ((Rational::ONE - square) / &below, Rational::from(2) * t / below)
+    (
+        (Rational::ONE - square) / &below,
+        Rational::from(2) * t / below,
+    )
 }
 
 /// cos and sin of the sum of two angles.
@@ -43,8 +46,9 @@ impl Point {
     /// The value of a polynomial, term by term.
     pub fn polynomial(&self, ring: &Ring, polynomial: &Polynomial) -> Option<Series> {
         let values = polynomial.symbols().into_iter();
-        let values: BTreeMap<Symbol, Series> =
-            values.map(|symbol| Some((symbol, self.symbol(ring, symbol)?))).collect::<Option<_>>()?;
+        let values: BTreeMap<Symbol, Series> = values
+            .map(|symbol| Some((symbol, self.symbol(ring, symbol)?)))
+            .collect::<Option<_>>()?;
         let mut sum = Series::number(0);
         for (monomial, coefficient) in polynomial.terms() {
             let term = monomial.factors().fold(
@@ -81,9 +85,12 @@ impl Point {
                 Some(across.times(&below).integral())
             }
             // f(z) = z³ − 2z², whatever its name.
-            Generator::FunctionValue { order, argument, .. } => {
+            Generator::FunctionValue {
+                order, argument, ..
+            } => {
                 let z = self.value(ring, argument)?;
-                let scaled = |factor: i32, exponent| z.power(exponent).times(&Series::number(factor));
+                let scaled =
+                    |factor: i32, exponent| z.power(exponent).times(&Series::number(factor));
                 Some(match order {
                     0 => scaled(1, 3).minus(&scaled(2, 2)),
                     1 => scaled(3, 2).minus(&scaled(4, 1)),
@@ -117,7 +124,13 @@ impl Point {
     fn turn_of(&self, ring: &Ring, symbol: Symbol) -> Option<(Rational, Rational)> {
         if let Generator::Direction { x, y, .. } = ring.generator(symbol) {
             let (x, y) = (self.value(ring, x)?, self.value(ring, y)?);
-            let length = x.times(&x).plus(&y.times(&y)).square_root()?.start().0.clone();
+            let length = x
+                .times(&x)
+                .plus(&y.times(&y))
+                .square_root()?
+                .start()
+                .0
+                .clone();
             return Some((&x.start().0 / &length, &y.start().0 / &length));
         }
         self.turns.get(&symbol).cloned()

@@ -44,9 +44,16 @@ fn cosines_make_way_for_shorter_sines() {
         .map(|term| term.element(&mut world).unwrap());
     let ring = &world.ring;
     let square = |a| ring.product(a, a).unwrap();
-    let plain = |a: &Fraction| a.numerator().multiply(a.numerator(), ring.budget()).unwrap();
+    let plain = |a: &Fraction| {
+        a.numerator()
+            .multiply(a.numerator(), ring.budget())
+            .unwrap()
+    };
     assert_eq!(ring.shorten(square(&sine).numerator()), Ok(plain(&sine)));
-    assert_eq!(ring.shorten(square(&cosine).numerator()), Ok(plain(&cosine)));
+    assert_eq!(
+        ring.shorten(square(&cosine).numerator()),
+        Ok(plain(&cosine))
+    );
     // (1 − cos²)²/(1 − cos²) is sin², with both sides of the line known by their factors.
     let inverse = ring.quotient(&ring.one(), &square(&sine)).unwrap();
     let factored = ring.factored(&inverse).unwrap();

@@ -20,9 +20,15 @@ fn number(n: i64, d: i64) -> Fraction {
 /// A ring with a > 0, b < 0 and c of any sign.
 fn ring() -> (Ring, [Fraction; 3]) {
     let mut ring = Ring::new(Budget::new(20_000_000));
-    let signs = [("a", Signs::POSITIVE), ("b", Signs::NEGATIVE), ("c", Signs::ANY)];
+    let signs = [
+        ("a", Signs::POSITIVE),
+        ("b", Signs::NEGATIVE),
+        ("c", Signs::ANY),
+    ];
     let elements = signs.map(|(name, signs)| {
-        let symbol = ring.symbol(Generator::Constant { name: name.into() }).unwrap();
+        let symbol = ring
+            .symbol(Generator::Constant { name: name.into() })
+            .unwrap();
         ring.assumptions_mut().assume_symbol(symbol, signs);
         ring.element(symbol)
     });
@@ -89,8 +95,13 @@ fn roots_that_depend_on_an_unknown_sign_are_refused() {
     let square = ring.product(&c, &c).unwrap();
     assert_eq!(ring.square_root(&square), Err(AlgebraError::UnknownSign));
     assert_eq!(ring.square_root(&b), Err(AlgebraError::UnknownSign));
-    assert_eq!(ring.square_root(&number(-1, 1)), Err(AlgebraError::UnknownSign));
-    let scaled = ring.quotient(&square, &ring.product(&a, &a).unwrap()).unwrap();
+    assert_eq!(
+        ring.square_root(&number(-1, 1)),
+        Err(AlgebraError::UnknownSign)
+    );
+    let scaled = ring
+        .quotient(&square, &ring.product(&a, &a).unwrap())
+        .unwrap();
     assert_eq!(ring.square_root(&scaled), Err(AlgebraError::UnknownSign));
     assert_eq!(ring.square_root(&ring.zero()), Ok(ring.zero()));
 }
@@ -115,10 +126,15 @@ fn equal_radicands_have_one_root() {
     let sine = Term::Sine([1, 0, 0, 0]).element(&mut world).unwrap();
     let ring = &mut world.ring;
     let [_, _, u, x, ..] = world.free.map(|symbol| ring.element(symbol));
-    let below = ring.sum(&ring.product(&u, &number(3, 1)).unwrap(), &sine).unwrap();
+    let below = ring
+        .sum(&ring.product(&u, &number(3, 1)).unwrap(), &sine)
+        .unwrap();
     let one = ring.quotient(&ring.one(), &below).unwrap();
     let other = ring.canonical(&one).unwrap();
     assert_ne!(one, other);
-    assert_eq!(ring.function_value("f", 0, &one), ring.function_value("f", 0, &other));
+    assert_eq!(
+        ring.function_value("f", 0, &one),
+        ring.function_value("f", 0, &other)
+    );
     assert_eq!(ring.direction(&x, &one), ring.direction(&x, &other));
 }

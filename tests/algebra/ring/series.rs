@@ -102,9 +102,15 @@ impl Series {
         let mut term = Series::number(1);
         for k in 0..LENGTH {
             let signed = term.times(&Series::number(if k % 4 < 2 { 1 } else { -1 }));
-            if k % 2 == 0 { cos_d = cos_d.plus(&signed) } else { sin_d = sin_d.plus(&signed) }
+            if k % 2 == 0 {
+                cos_d = cos_d.plus(&signed)
+            } else {
+                sin_d = sin_d.plus(&signed)
+            }
             let next = Rational::ONE / Rational::from(k as u32 + 1);
-            term = term.times(&self.without_start()).times(&Series::number(next));
+            term = term
+                .times(&self.without_start())
+                .times(&Series::number(next));
         }
         let (cosine, sine) = (Series::number(cosine.clone()), Series::number(sine.clone()));
         (
@@ -131,9 +137,8 @@ impl Series {
 
     /// ∫a dε from 0.
     pub fn integral(&self) -> Self {
-        let shifted = (1..LENGTH).map(|k| {
-            self.0[k - 1].times(&Complex::real(Rational::ONE / Rational::from(k as u32)))
-        });
+        let shifted = (1..LENGTH)
+            .map(|k| self.0[k - 1].times(&Complex::real(Rational::ONE / Rational::from(k as u32))));
         Series::new(std::iter::once(Complex::real(Rational::ZERO)).chain(shifted))
     }
 }

@@ -14,7 +14,11 @@ use sextic::algebra::symbol::Symbol;
 use crate::algebra::support::{small_polynomial, value};
 
 fn every() -> impl Iterator<Item = Signs> {
-    (0..8).map(|bits| Signs { negative: bits & 1 != 0, zero: bits & 2 != 0, positive: bits & 4 != 0 })
+    (0..8).map(|bits| Signs {
+        negative: bits & 1 != 0,
+        zero: bits & 2 != 0,
+        positive: bits & 4 != 0,
+    })
 }
 
 /// The small numbers of these signs.
@@ -29,7 +33,11 @@ fn numbers(signs: Signs) -> Vec<i64> {
 
 /// The signs that some of the numbers have.
 fn of(numbers: impl IntoIterator<Item = i64>) -> Signs {
-    let none = Signs { negative: false, zero: false, positive: false };
+    let none = Signs {
+        negative: false,
+        zero: false,
+        positive: false,
+    };
     numbers.into_iter().fold(none, |signs, n| {
         let own = Signs::of_integer(&Integer::from(n));
         Signs {
@@ -45,20 +53,30 @@ fn signs_are_those_of_numbers() {
     for a in every() {
         assert_eq!(a.opposite(), of(numbers(a).into_iter().map(|n| -n)));
         for exponent in 1..=4 {
-            assert_eq!(a.power(exponent), of(numbers(a).into_iter().map(|n| n.pow(exponent))));
+            assert_eq!(
+                a.power(exponent),
+                of(numbers(a).into_iter().map(|n| n.pow(exponent)))
+            );
         }
         assert_eq!(a.power(0), Signs::POSITIVE);
         assert_eq!(a.is_positive(), a == Signs::POSITIVE);
         assert_eq!(a.is_non_negative(), numbers(a).iter().all(|n| *n >= 0));
         assert_eq!(a.is_non_zero(), numbers(a).iter().all(|n| *n != 0));
         for b in every() {
-            let pairs = || numbers(a).into_iter().flat_map(|n| numbers(b).into_iter().map(move |m| (n, m)));
+            let pairs = || {
+                numbers(a)
+                    .into_iter()
+                    .flat_map(|n| numbers(b).into_iter().map(move |m| (n, m)))
+            };
             assert_eq!(a.sum(b), of(pairs().map(|(n, m)| n + m)), "{a:?} {b:?}");
             // Of nothing there is no product, but that never arises: 0·nothing stays 0.
             if !numbers(a).is_empty() && !numbers(b).is_empty() {
                 assert_eq!(a.product(b), of(pairs().map(|(n, m)| n * m)), "{a:?} {b:?}");
             }
-            let both: Vec<i64> = numbers(a).into_iter().filter(|n| numbers(b).contains(n)).collect();
+            let both: Vec<i64> = numbers(a)
+                .into_iter()
+                .filter(|n| numbers(b).contains(n))
+                .collect();
             assert_eq!(a.intersection(b), of(both));
         }
     }
@@ -68,18 +86,28 @@ fn signs_are_those_of_numbers() {
 fn ring(signs: &[Signs; 3], known: Option<&Polynomial>) -> Ring {
     let mut ring = Ring::new(Budget::new(20_000_000));
     for (name, signs) in ["a", "b", "c"].iter().zip(signs) {
-        let symbol = ring.symbol(Generator::Constant { name: (*name).into() }).unwrap();
+        let symbol = ring
+            .symbol(Generator::Constant {
+                name: (*name).into(),
+            })
+            .unwrap();
         ring.assumptions_mut().assume_symbol(symbol, *signs);
     }
     if let Some(known) = known {
-        ring.assumptions_mut().assume_polynomial(known.clone(), Signs::POSITIVE);
+        ring.assumptions_mut()
+            .assume_polynomial(known.clone(), Signs::POSITIVE);
     }
     ring
 }
 
 fn any_signs() -> impl Strategy<Value = Signs> {
     prop::sample::select(vec![
-        Signs::ANY, Signs::POSITIVE, Signs::POSITIVE, Signs::NEGATIVE, Signs::NON_NEGATIVE, Signs::NON_ZERO,
+        Signs::ANY,
+        Signs::POSITIVE,
+        Signs::POSITIVE,
+        Signs::NEGATIVE,
+        Signs::NON_NEGATIVE,
+        Signs::NON_ZERO,
     ])
 }
 
@@ -127,14 +155,24 @@ fn signs_that_are_found() {
     let budget = plain.budget();
     let square = |p: &Polynomial| p.multiply(p, budget).unwrap();
     let known = &a - &c;
-    let shifted = ring(&[Signs::POSITIVE, Signs::POSITIVE, Signs::NON_NEGATIVE], Some(&known));
+    let shifted = ring(
+        &[Signs::POSITIVE, Signs::POSITIVE, Signs::NON_NEGATIVE],
+        Some(&known),
+    );
     let difference = &square(&a) - &square(&c);
     for (ring, polynomial, expected) in [
         (&plain, &a + &b, Signs::POSITIVE),
         (&plain, -&(&a + &b), Signs::NEGATIVE),
         (&plain, &a - &b, Signs::ANY),
         (&plain, square(&(&a - &b)), Signs::NON_NEGATIVE),
-        (&plain, -&square(&(&a - &c)), Signs { positive: false, ..Signs::ANY }),
+        (
+            &plain,
+            -&square(&(&a - &c)),
+            Signs {
+                positive: false,
+                ..Signs::ANY
+            },
+        ),
         (&plain, square(&c), Signs::NON_NEGATIVE),
         (&plain, &square(&c) + &a, Signs::POSITIVE),
         (&plain, difference.clone(), Signs::ANY),
@@ -143,7 +181,11 @@ fn signs_that_are_found() {
         (&shifted, difference, Signs::POSITIVE),
         (&shifted, Polynomial::zero(), Signs::ZERO),
     ] {
-        assert_eq!(ring.polynomial_signs(&polynomial), Ok(expected), "{polynomial:?}");
+        assert_eq!(
+            ring.polynomial_signs(&polynomial),
+            Ok(expected),
+            "{polynomial:?}"
+        );
     }
 }
 
@@ -161,7 +203,10 @@ fn sines_cosines_and_i() {
     assert_eq!(ring.signs(&square(&ring, &cosine)), Ok(Signs::NON_NEGATIVE));
     assert_eq!(ring.signs(&i), Ok(Signs::ANY));
     let product = ring.product(&i, &cosine).unwrap();
-    assert_eq!(ring.signs(&square(&ring, &product)).unwrap().positive, false);
+    assert_eq!(
+        ring.signs(&square(&ring, &product)).unwrap().positive,
+        false
+    );
     let inverse = ring.quotient(&ring.one(), &square(&ring, &sine)).unwrap();
     assert!(ring.signs(&inverse).unwrap().is_non_negative());
 }

@@ -34,7 +34,11 @@ impl World {
     pub fn new((k, l): (i32, i32)) -> Self {
         let mut ring = Ring::new(Budget::new(300_000));
         let named = |name: &str| name.to_owned();
-        let coordinate = |name, angular| Generator::Coordinate { name, order: 0, angular };
+        let coordinate = |name, angular| Generator::Coordinate {
+            name,
+            order: 0,
+            angular,
+        };
         let free = [
             Generator::Constant { name: named("a") },
             Generator::Constant { name: named("b") },
@@ -45,24 +49,40 @@ impl World {
             coordinate(named("θ"), true),
         ]
         .map(|generator| ring.symbol(generator).unwrap());
-        ring.assumptions_mut().assume_symbol(free[2], Signs::POSITIVE);
+        ring.assumptions_mut()
+            .assume_symbol(free[2], Signs::POSITIVE);
         let (a, b) = (ring.element(free[0]), ring.element(free[1]));
         let squares = (ring.product(&a, &a).unwrap(), ring.product(&b, &b).unwrap());
-        let root = ring.square_root(&ring.sum(&squares.0, &squares.1).unwrap()).unwrap();
+        let root = ring
+            .square_root(&ring.sum(&squares.0, &squares.1).unwrap())
+            .unwrap();
         let direction = ring.direction(&a, &b).unwrap();
         let i = ring.symbol(Generator::ImaginaryUnit).unwrap();
-        let second = if k == 0 { [(1, 0), (0, 1)] } else { [(0, 1), (1, 0)] };
+        let second = if k == 0 {
+            [(1, 0), (0, 1)]
+        } else {
+            [(0, 1), (1, 0)]
+        };
         for (k, l) in [(k, l)].into_iter().chain(second) {
             let angle = Angle::new([(free[4], Integer::from(k)), (free[5], Integer::from(l))]);
             ring.cosine_and_sine(&angle).unwrap();
         }
-        World { ring, free, root, direction, i }
+        World {
+            ring,
+            free,
+            root,
+            direction,
+            i,
+        }
     }
 
     /// The angle k₀ α + k₁ β + k₂ θ + k₃ γ.
     pub fn angle(&self, k: &[i32; 4]) -> Angle {
         let direction = self.ring.as_symbol(&self.direction).unwrap();
-        let symbols = ANGLES.map(|place| self.free[place]).into_iter().chain([direction]);
+        let symbols = ANGLES
+            .map(|place| self.free[place])
+            .into_iter()
+            .chain([direction]);
         Angle::new(symbols.zip(k.map(Integer::from)))
     }
 }
@@ -160,10 +180,17 @@ impl Term {
             Term::Sum(a, b) => both(a, b).map(|(a, b)| a.plus(&b)),
             Term::Difference(a, b) => both(a, b).map(|(a, b)| a.minus(&b)),
             Term::Product(a, b) => both(a, b).map(|(a, b)| a.times(&b)),
-            Term::Quotient(a, b) => Some(a.value(world, point)?.times(&b.value(world, point)?.inverse()?)),
+            Term::Quotient(a, b) => Some(
+                a.value(world, point)?
+                    .times(&b.value(world, point)?.inverse()?),
+            ),
             Term::Power(a, exponent) => {
                 let power = a.value(world, point)?.power(exponent.unsigned_abs());
-                if *exponent < 0 { power.inverse() } else { Some(power) }
+                if *exponent < 0 {
+                    power.inverse()
+                } else {
+                    Some(power)
+                }
             }
         }
     }
@@ -190,7 +217,10 @@ fn leaf() -> impl Strategy<Value = Term> {
 /// Terms of about `size` leaves.
 pub fn term(size: u32) -> impl Strategy<Value = Term> {
     leaf().prop_recursive(3, size, 2, |inner| {
-        let pair = (inner.clone().prop_map(Box::new), inner.clone().prop_map(Box::new));
+        let pair = (
+            inner.clone().prop_map(Box::new),
+            inner.clone().prop_map(Box::new),
+        );
         prop_oneof![
             2 => pair.clone().prop_map(|(a, b)| Term::Sum(a, b)),
             2 => pair.clone().prop_map(|(a, b)| Term::Difference(a, b)),
@@ -217,7 +247,11 @@ pub struct Place {
 pub fn place() -> impl Strategy<Value = Place> {
     let series = prop::collection::vec(prop::collection::vec(rational(), LENGTH), 7);
     (series, prop::collection::vec(rational(), 4), 1..=4_u32).prop_map(|(series, turns, radius)| {
-        Place { series, turns, radius: Rational::from(radius) }
+        Place {
+            series,
+            turns,
+            radius: Rational::from(radius),
+        }
     })
 }
 
@@ -231,7 +265,9 @@ impl Place {
         series[1][0] = &self.radius * sine;
         series[2][0] = self.radius.clone();
         for (symbol, coefficients) in world.free.iter().zip(&series) {
-            point.values.insert(*symbol, Series::rationals(coefficients));
+            point
+                .values
+                .insert(*symbol, Series::rationals(coefficients));
         }
         for (place, t) in ANGLES.iter().zip(&self.turns) {
             point.turns.insert(world.free[*place], circle_point(t));

@@ -100,7 +100,8 @@ proptest! {
 /// A ring with two angles and no sines yet.
 fn angles() -> (Ring, [Symbol; 2]) {
     let mut ring = Ring::new(Budget::new(1_000_000));
-    let symbols = ["α", "β"].map(|name| ring.symbol(Generator::Angle { name: name.into() }).unwrap());
+    let symbols =
+        ["α", "β"].map(|name| ring.symbol(Generator::Angle { name: name.into() }).unwrap());
     (ring, symbols)
 }
 
@@ -115,7 +116,10 @@ fn the_sine_of_a_fraction_of_the_basis_is_refused() {
         assert!(ring.cosine_and_sine(&combination(symbols, k, l)).is_ok());
     }
     let single = combination(symbols, 1, 0);
-    assert_eq!(ring.cosine_and_sine(&single), Err(AlgebraError::FractionalAngle));
+    assert_eq!(
+        ring.cosine_and_sine(&single),
+        Err(AlgebraError::FractionalAngle)
+    );
     assert_eq!(ring.basis().len(), 2);
 }
 
@@ -126,7 +130,9 @@ fn multiples_do_not_take_the_place_of_the_angle() {
     let (_, sine) = ring.cosine_and_sine(&combination(symbols, 3, -2)).unwrap();
     // cos 2A = 1 − 2 sin²A
     let square = ring.product(&sine, &sine).unwrap();
-    let expected = ring.difference(&ring.one(), &ring.sum(&square, &square).unwrap()).unwrap();
+    let expected = ring
+        .difference(&ring.one(), &ring.sum(&square, &square).unwrap())
+        .unwrap();
     assert_eq!(cosine, expected);
     assert_eq!(ring.basis().len(), 1);
 }
@@ -160,19 +166,37 @@ fn directions_that_are_known_are_recognised() {
     world.ring.cosine_and_sine(&angle).unwrap();
     let basis = world.ring.basis().to_vec();
     for known in &basis {
-        let (cosine, sine) = (world.ring.element(known.cosine), world.ring.element(known.sine));
-        let (x, y) = (world.ring.product(&u, &cosine).unwrap(), world.ring.product(&u, &sine).unwrap());
+        let (cosine, sine) = (
+            world.ring.element(known.cosine),
+            world.ring.element(known.sine),
+        );
+        let (x, y) = (
+            world.ring.product(&u, &cosine).unwrap(),
+            world.ring.product(&u, &sine).unwrap(),
+        );
         let expected = world.ring.angle_element(&known.angle);
         assert_eq!(world.ring.direction(&x, &y), Ok(expected.clone()));
         // With a factor of unknown or of negative sign it is another angle.
         let back = (world.ring.negative(&x), world.ring.negative(&y));
         assert_ne!(world.ring.direction(&back.0, &back.1), Ok(expected));
     }
-    assert_eq!(world.ring.direction(&u, &world.ring.zero()), Ok(world.ring.zero()));
-    assert_ne!(world.ring.direction(&a, &world.ring.zero()).ok(), Some(world.ring.zero()));
+    assert_eq!(
+        world.ring.direction(&u, &world.ring.zero()),
+        Ok(world.ring.zero())
+    );
+    assert_ne!(
+        world.ring.direction(&a, &world.ring.zero()).ok(),
+        Some(world.ring.zero())
+    );
     let zero = world.ring.zero();
-    assert_eq!(world.ring.direction(&zero, &zero), Err(AlgebraError::DivisionByZero));
+    assert_eq!(
+        world.ring.direction(&zero, &zero),
+        Err(AlgebraError::DivisionByZero)
+    );
     let direction = world.direction.clone();
-    let (a, b) = (world.ring.element(world.free[0]), world.ring.element(world.free[1]));
+    let (a, b) = (
+        world.ring.element(world.free[0]),
+        world.ring.element(world.free[1]),
+    );
     assert_eq!(world.ring.direction(&a, &b), Ok(direction));
 }

@@ -1,0 +1,82 @@
+//! The second route for a matching: its residuals at points.
+
+use std::collections::BTreeMap;
+
+use super::assertion::Judge;
+use super::diagnostic::{Diagnostic, DiagnosticKind};
+use super::evaluation::evaluator::Evaluator;
+use super::evaluation::number::Number;
+use super::matching::Matched;
+use super::syntax::{Expression, Node, Place, Span};
+
+/// What is evaluated at points to check a matching: exact − assumed against the residual, power by
+/// power, with the solution put in.
+pub struct MatchingCheck {
+    exact: Expression,
+    assumed: Expression,
+    variable: String,
+    residuals: BTreeMap<u32, Expression>,
+    span: Span,
+}
+
+impl MatchingCheck {
+    /// The check of a matching that stands at a place.
+    pub fn new(matched: &Matched, span: &Span) -> Self {
+        let (exact, assumed) = matched.polynomials.clone();
+        let place = Place::Named(matched.name.clone());
+        let assumed = Expression::made(Node::At(Box::new(assumed), place));
+        let residuals = matched
+            .table
+            .iter()
+            .map(|row| (row.power, row.residual.clone()));
+        MatchingCheck {
+            exact,
+            assumed,
+            variable: matched.variable.ascii.clone(),
+            residuals: residuals.collect(),
+            span: span.clone(),
+        }
+    }
+
+    /// Compares the residuals at random points.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnostic`] where they differ, or where too few points have values.
+    pub fn confirm<'a>(&'a self, judge: &mut Judge<'a>) -> Result<(), Diagnostic> {
+        let outcome = judge.at_checkpoints(|evaluator| {
+            let power = match self.differs(evaluator) {
+                Ok(None) => return Ok(Ok(())),
+                Ok(Some(power)) => power,
+                Err(reason) => return Ok(Err(reason)),
+            };
+            let message = "the matching fails at a random point";
+            Err(
+                Diagnostic::new(DiagnosticKind::Disagreement, self.span.clone(), message)
+                    .with_label(format!("at the power {power}"))
+                    .with_help(
+                        "this is a mistake of sextic, not of the document: please report it",
+                    ),
+            )
+        })?;
+        outcome.map(drop).map_err(|reason| {
+            let message = "this matching cannot be checked at a point";
+            Diagnostic::new(DiagnosticKind::Unsupported, self.span.clone(), message)
+                .with_label(reason)
+        })
+    }
+
+    /// The first power at which the residual is not what it was found to be.
+    fn differs<'a>(&'a self, evaluator: &mut Evaluator<'a>) -> Result<Option<u32>, String> {
+        let exact = evaluator.coefficients(&self.exact, &self.variable)?;
+        let assumed = evaluator.coefficients(&self.assumed, &self.variable)?;
+        for (power, residual) in &self.residuals {
+            let of = |side: &[Number]| side.get(*power as usize).cloned().unwrap_or_default();
+            let difference = of(&exact).difference(&of(&assumed));
+            if evaluator.evaluate(residual)?[0][0] != difference {
+                return Ok(Some(*power));
+            }
+        }
+        Ok(None)
+    }
+}
