@@ -110,7 +110,7 @@ impl Signs {
     pub fn power(self, exponent: u32) -> Signs {
         if exponent == 0 {
             Signs::POSITIVE
-        } else if exponent % 2 == 0 {
+        } else if exponent.is_multiple_of(2) {
             Signs {
                 negative: false,
                 zero: self.zero,

@@ -113,7 +113,7 @@ impl Presenter<'_> {
             .iter()
             .partition(|(factor, _)| factor.len() == 1);
         let single = single.into_iter().rev();
-        for (factor, exponent) in single.chain(sums.into_iter()) {
+        for (factor, exponent) in single.chain(sums) {
             let base = self.polynomial(factor)?;
             let power = raised(base, exponent.unsigned_abs());
             if *exponent > 0 {

@@ -199,7 +199,7 @@ impl Point {
         let numerator = mix(state) % self.size.numerator + 1;
         let denominator = mix(state ^ 1) % self.size.denominator + 1;
         let value = Rational::from_parts(numerator.into(), denominator.into());
-        if mix(state ^ 2) % 2 == 0 {
+        if mix(state ^ 2).is_multiple_of(2) {
             value
         } else {
             -value

@@ -155,7 +155,7 @@ pub fn adjugate(matrix: &[Vec<Number>], extension: &Extension) -> Vec<Vec<Number
             return Number::from(1);
         }
         let minor = determinant(&without(matrix, column, row), extension);
-        if (row + column) % 2 == 0 {
+        if (row + column).is_multiple_of(2) {
             minor
         } else {
             minor.negative()
