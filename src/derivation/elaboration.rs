@@ -295,7 +295,13 @@ impl Elaborator {
                 self.arguments.push(local);
                 let value = self.value(&expression);
                 self.arguments.pop();
-                value
+                // A mistake in the definition's text may be one of this call.
+                value.map_err(|error| match error.secondary.len() {
+                    0..3 => {
+                        error.with_secondary(span.clone(), format!("in this call of `{function}`"))
+                    }
+                    _ => error,
+                })
             }
             Some(_) => {
                 let message = format!("`{function}` is not a function");
