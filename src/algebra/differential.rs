@@ -80,11 +80,16 @@ impl Ring {
         differential: &Differential,
     ) -> Result<Fraction, AlgebraError> {
         let mut sum = self.zero();
-        for symbol in polynomial.symbols() {
+        let symbols = polynomial.symbols();
+        let width = symbols.len().max(8);
+        for symbol in symbols {
             let image = self.image(symbol, differential)?;
             if image.is_zero() {
                 continue;
             }
+            // Derivatives and sums cost steps for their terms, more for long ones.
+            let terms = polynomial.len() + sum.numerator().len();
+            self.budget().spend((width * terms) as u64)?;
             let slope = Fraction::from(polynomial.derivative(symbol));
             sum = self.sum(&sum, &self.product(&slope, &image)?)?;
         }

@@ -845,6 +845,9 @@ fn mismatch(
         format!("a {} and a {} matrix cannot be {verb}", size(a), size(b)),
     )
     .with_label("the shapes do not fit")
+    .with_help(
+        "sums need equal shapes; a product needs as many columns on the left as rows on the right",
+    )
     .with_secondary(left.span.clone(), size(a))
     .with_secondary(right.span.clone(), size(b))
 }

@@ -391,10 +391,12 @@ impl Elaborator {
         let free = unknowns.iter().chain(small).all(|symbol| {
             !ratio.numerator().contains(*symbol) && !ratio.denominator().contains(*symbol)
         });
-        if free {
-            return Ok(Some(part));
-        }
-        Ok(None)
+        // What is neglected must be a factor of what is left out, not only of the same degree.
+        let shared = ratio
+            .denominator()
+            .gcd(neglected.numerator(), self.ring.budget())
+            .map_err(|error| algebra(error.into(), span))?;
+        Ok((free && shared.as_constant().is_some()).then_some(part))
     }
 
     /// (a, −a₀) of a₀ + Σ aⱼ bⱼ.

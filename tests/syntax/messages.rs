@@ -24,12 +24,16 @@ fn every_message_is_as_agreed() {
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.bind(|| {
-        insta::glob!("../data/bad/syntax/*.md", |path| {
-            let name = path.file_name().unwrap_or_default().to_string_lossy();
-            let bytes = std::fs::read(path).expect("the document can be read");
-            let messages = messages(&name, &bytes);
-            assert!(!messages.is_empty(), "{name} has no mistake");
-            insta::assert_snapshot!(messages);
-        });
+        insta::glob!(
+            concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data"),
+            "bad/syntax/*.md",
+            |path| {
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                let bytes = std::fs::read(path).expect("the document can be read");
+                let messages = messages(&name, &bytes);
+                assert!(!messages.is_empty(), "{name} has no mistake");
+                insta::assert_snapshot!(messages);
+            }
+        );
     });
 }
