@@ -331,12 +331,6 @@ impl Reader<'_> {
                     line,
                     span: span.clone(),
                 };
-                if std::env::var("REPEAT").is_ok_and(|l| l == line.to_string()) {
-                    for _ in 0..200 {
-                        self.elaborator.fresh();
-                        std::hint::black_box(self.elaborator.find(&assertion)?);
-                    }
-                }
                 read.findings.push(self.elaborator.find(&assertion)?);
                 Ok(())
             }
