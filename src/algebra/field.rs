@@ -5,15 +5,12 @@ use super::error::AlgebraError;
 use super::fraction::Fraction;
 use super::generator::Generator;
 use super::number::Rational;
-use super::polynomial::Polynomial;
 use super::ring::Ring;
 
 impl Ring {
     /// A result of the arithmetic of fractions with its squares folded away.
     fn fold(&self, element: Fraction) -> Result<Fraction, AlgebraError> {
-        let folded =
-            |side: &Polynomial| self.last_symbol(side, 2, Generator::is_quadratic).is_none();
-        if folded(element.numerator()) && folded(element.denominator()) {
+        if self.is_reduced(element.numerator()) && self.is_reduced(element.denominator()) {
             return Ok(element);
         }
         self.fraction(element.numerator(), element.denominator())

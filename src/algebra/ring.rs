@@ -127,6 +127,12 @@ impl Ring {
         }
     }
 
+    /// Whether a polynomial is at most linear in every symbol whose square is known.
+    pub(super) fn is_reduced(&self, polynomial: &Polynomial) -> bool {
+        let mut factors = polynomial.terms().iter().flat_map(|(monomial, _)| monomial.factors());
+        factors.all(|(symbol, exponent)| exponent < 2 || !self.generator(symbol).is_quadratic())
+    }
+
     /// The last made of the symbols of at least the given degree in a polynomial whose generators are
     /// such as wanted.
     pub(super) fn last_symbol(

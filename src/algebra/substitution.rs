@@ -1,13 +1,12 @@
 //! Substitutions of the free symbols of a ring.
 
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use super::arithmetic::{Arithmetic, Division};
 use super::error::AlgebraError;
 use super::fraction::Fraction;
 use super::generator::Generator;
-use super::monomial::Monomial;
-use super::number::Integer;
 use super::polynomial::Polynomial;
 use super::ring::Ring;
 use super::symbol::Symbol;
@@ -22,7 +21,7 @@ impl Ring {
     /// The other symbols follow by what they stand for: a sine becomes the sine of the image of its
     /// angle, a root the root of the image of its radicand.
     ///
-    /// Complexity: one product for each term and each symbol that changes in it.
+    /// Complexity: one product at most for each term and each symbol that changes in it.
     ///
     /// # Errors
     ///
@@ -60,39 +59,43 @@ impl Ring {
         polynomial: &Polynomial,
         substitution: &Substitution,
     ) -> Result<Fraction, AlgebraError> {
-        let mut images = BTreeMap::new();
+        let mut images = Vec::new();
         for symbol in polynomial.symbols() {
             if let Some(image) = self.substituted(symbol, substitution)? {
-                images.insert(symbol, image);
+                images.push((symbol, image));
             }
         }
-        if images.is_empty() {
+        // What becomes 0 goes first, and takes its terms with it; long images are multiplied last.
+        images.sort_by_key(|(_, image)| {
+            let terms = image.numerator().len() + image.denominator().len();
+            (!image.is_zero(), Reverse(terms))
+        });
+        self.horner(polynomial, &images)
+    }
+
+    /// The value of a polynomial with images in place of some of its symbols, by Horner's rule in the
+    /// first of them, with coefficients that are found in the same way from the others.
+    fn horner(
+        &self,
+        polynomial: &Polynomial,
+        images: &[(Symbol, Fraction)],
+    ) -> Result<Fraction, AlgebraError> {
+        let Some(((symbol, image), others)) = images.split_first() else {
             return Ok(Fraction::from(polynomial.clone()));
+        };
+        let coefficients = polynomial.coefficients_in(*symbol);
+        if image.is_zero() {
+            let constant = coefficients.get(&0);
+            return constant.map_or(Ok(self.zero()), |constant| self.horner(constant, others));
         }
-        // Terms that agree in the symbols that change are taken together.
-        let mut groups: BTreeMap<Monomial, Vec<(Monomial, Integer)>> = BTreeMap::new();
-        for (monomial, coefficient) in polynomial.terms() {
-            let staying = images
-                .keys()
-                .fold(monomial.clone(), |rest, symbol| rest.without(*symbol));
-            let Some(changing) = monomial.quotient(&staying) else {
-                continue;
-            };
-            groups
-                .entry(changing)
-                .or_default()
-                .push((staying, coefficient.clone()));
+        let mut value = self.zero();
+        let mut reached = coefficients.keys().last().copied().unwrap_or(0);
+        for (exponent, coefficient) in coefficients.iter().rev() {
+            let lowered = self.product(&value, &self.power(image, i64::from(reached - exponent))?)?;
+            value = self.sum(&lowered, &self.horner(coefficient, others)?)?;
+            reached = *exponent;
         }
-        let mut sum = self.zero();
-        for (changing, staying) in groups {
-            let mut term = Fraction::from(Polynomial::from_terms(staying));
-            for (symbol, exponent) in changing.factors() {
-                let power = self.power(&images[&symbol], i64::from(exponent))?;
-                term = self.product(&term, &power)?;
-            }
-            sum = self.sum(&sum, &term)?;
-        }
-        Ok(sum)
+        self.product(&value, &self.power(image, i64::from(reached))?)
     }
 
     /// The image of one symbol; nothing where it stays.
