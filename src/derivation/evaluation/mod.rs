@@ -5,7 +5,10 @@
 //! numbers for the parameters, rational points of the circle for the angles. Derivatives come from
 //! nilpotent numbers (ε² = 0), roots and i from numbers with a given square.
 
+mod determinant;
+mod elimination;
 pub mod evaluator;
 pub mod number;
 pub mod point;
+mod sample;
 mod table;

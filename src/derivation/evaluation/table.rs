@@ -1,30 +1,8 @@
 //! Matrices of numbers, for evaluation only.
 
-use std::collections::BTreeMap;
-
+use super::evaluator::Failure;
 use super::number::{Extension, Number};
-use super::point::Tag;
-
-/// Determinants of larger matrices are not expanded first.
-const MOST_ROWS_TO_EXPAND: usize = 6;
-
-/// A number, and the sum of angles that it is the measure of (at the point itself, nilpotent
-/// elements aside) where it is one.
-#[derive(Clone, Debug)]
-pub struct Sample {
-    /// The number.
-    pub number: Number,
-    /// The angle.
-    pub angle: Option<Tag>,
-}
-
-impl From<Number> for Sample {
-    fn from(number: Number) -> Self {
-        // 0 is the empty sum of angles.
-        let angle = number.base().is_zero().then(Tag::new);
-        Sample { number, angle }
-    }
-}
+use super::sample::Sample;
 
 /// Rows of numbers, all of one length.
 pub type Table = Vec<Vec<Sample>>;
@@ -32,6 +10,18 @@ pub type Table = Vec<Vec<Sample>>;
 /// A table with one entry.
 pub fn single(number: Number) -> Table {
     vec![vec![Sample::from(number)]]
+}
+
+/// The entry of a table with one entry.
+///
+/// # Errors
+///
+/// The reason where it has more or none.
+pub fn only(table: &Table) -> Result<&Sample, Failure> {
+    match (table.len(), table.first().map(Vec::as_slice)) {
+        (1, Some([sample])) => Ok(sample),
+        _ => Err("a single number is needed".into()),
+    }
 }
 
 /// The numbers of a table.
@@ -50,171 +40,72 @@ pub fn samples(numbers: Vec<Vec<Number>>) -> Table {
         .collect()
 }
 
-/// Gaussian elimination on [A | B] with a square A: (|A|, A⁻¹B), the latter where A is invertible.
-///
-/// A pivot must be invertible, not only different from 0; nothing where there is none although the
-/// determinant may not be 0.
-pub fn eliminate(
-    matrix: &[Vec<Number>],
-    right: &[Vec<Number>],
-    extension: &Extension,
-) -> Option<(Number, Vec<Vec<Number>>)> {
-    let size = matrix.len();
-    let mut rows: Vec<Vec<Number>> = matrix
-        .iter()
-        .zip(right)
-        .map(|(a, b)| a.iter().chain(b).cloned().collect())
-        .collect();
-    let mut determinant = Number::from(1);
-    for column in 0..size {
-        let pivot = (column..size).find(|row| extension.inverse(&rows[*row][column]).is_some());
-        let Some(pivot) = pivot else {
-            let all_zero = (column..size).all(|row| rows[row][column].is_zero());
-            return all_zero.then(|| (Number::default(), Vec::new()));
-        };
-        if pivot != column {
-            rows.swap(pivot, column);
-            determinant = determinant.negative();
-        }
-        determinant = extension.product(&determinant, &rows[column][column]);
-        let inverse = extension.inverse(&rows[column][column])?;
-        let normalised: Vec<Number> = rows[column]
-            .iter()
-            .map(|entry| extension.product(entry, &inverse))
-            .collect();
-        for (index, row) in rows.iter_mut().enumerate() {
-            if index != column {
-                let factor = row[column].clone();
-                for (entry, pivot_entry) in row.iter_mut().zip(&normalised) {
-                    *entry = entry.difference(&extension.product(&factor, pivot_entry));
-                }
-            }
-        }
-        rows[column] = normalised;
-    }
-    Some((
-        determinant,
-        rows.into_iter().map(|row| row[size..].to_vec()).collect(),
-    ))
-}
-
-/// |A| by expansion along the rows, each minor of the last rows computed once; of large matrices by
-/// elimination, if it finds its pivots.
-pub fn determinant(matrix: &[Vec<Number>], extension: &Extension) -> Number {
-    if matrix.len() > MOST_ROWS_TO_EXPAND {
-        let nothing: Vec<Vec<Number>> = vec![Vec::new(); matrix.len()];
-        if let Some((determinant, _)) = eliminate(matrix, &nothing, extension) {
-            return determinant;
-        }
-    }
-    minor(
-        matrix,
-        &(0..matrix.len()).collect::<Vec<_>>(),
-        extension,
-        &mut BTreeMap::new(),
-    )
-}
-
-/// The minor of the last rows and as many columns.
-fn minor(
-    matrix: &[Vec<Number>],
-    columns: &[usize],
-    extension: &Extension,
-    known: &mut BTreeMap<Vec<usize>, Number>,
-) -> Number {
-    if columns.is_empty() {
-        return Number::from(1);
-    }
-    if let Some(known) = known.get(columns) {
-        return known.clone();
-    }
-    let row = &matrix[matrix.len() - columns.len()];
-    let mut sum = Number::default();
-    for (place, column) in columns
-        .iter()
-        .enumerate()
-        .filter(|(_, column)| !row[**column].is_zero())
-    {
-        let others = [&columns[..place], &columns[place + 1..]].concat();
-        let term = extension.product(&row[*column], &minor(matrix, &others, extension, known));
-        sum = if place % 2 == 0 {
-            sum.sum(&term)
-        } else {
-            sum.difference(&term)
-        };
-    }
-    known.insert(columns.to_vec(), sum.clone());
-    sum
-}
-
-/// adj A, from the minors.
-pub fn adjugate(matrix: &[Vec<Number>], extension: &Extension) -> Vec<Vec<Number>> {
-    let size = matrix.len();
-    let cofactor = |row: usize, column: usize| {
-        if size == 1 {
-            return Number::from(1);
-        }
-        let minor = determinant(&without(matrix, column, row), extension);
-        if (row + column).is_multiple_of(2) {
-            minor
-        } else {
-            minor.negative()
-        }
-    };
+/// The identity matrix.
+pub fn identity(size: usize) -> Table {
+    let entry = |row: usize, column: usize| Sample::from(Number::from(i64::from(row == column)));
     (0..size)
-        .map(|row| (0..size).map(|column| cofactor(row, column)).collect())
+        .map(|row| (0..size).map(|column| entry(row, column)).collect())
         .collect()
 }
 
-/// The columns that span {x : A·x = 0}, each with a 1 at a free place and zeros at the others; nothing
-/// where a pivot is neither 0 nor invertible.
-pub fn null_space(matrix: &[Vec<Number>], extension: &Extension) -> Option<Vec<Vec<Number>>> {
-    let mut rows = matrix.to_vec();
-    let width = rows.first().map_or(0, Vec::len);
-    let mut pivots: Vec<usize> = Vec::new();
-    for column in 0..width {
-        let rank = pivots.len();
-        let Some(found) = (rank..rows.len()).find(|row| !rows[*row][column].is_zero()) else {
-            continue;
-        };
-        rows.swap(rank, found);
-        let inverse = extension.inverse(&rows[rank][column])?;
-        let normalised: Vec<Number> = rows[rank]
-            .iter()
-            .map(|entry| extension.product(entry, &inverse))
-            .collect();
-        for row in &mut rows {
-            let factor = row[column].clone();
-            for (entry, pivot_entry) in row.iter_mut().zip(&normalised) {
-                *entry = entry.difference(&extension.product(&factor, pivot_entry));
-            }
-        }
-        rows[rank] = normalised;
-        pivots.push(column);
-    }
-    let free: Vec<usize> = (0..width)
-        .filter(|column| !pivots.contains(column))
-        .collect();
-    let entry = |place: usize, column: usize| match pivots.iter().position(|pivot| *pivot == place)
-    {
-        Some(row) => rows[row][column].negative(),
-        None => Number::from(i64::from(place == column)),
-    };
-    Some(
-        (0..width)
-            .map(|place| free.iter().map(|column| entry(place, *column)).collect())
-            .collect(),
-    )
+/// The image of every entry.
+pub fn each(table: &Table, image: impl Fn(&Sample) -> Sample) -> Table {
+    table
+        .iter()
+        .map(|row| row.iter().map(&image).collect())
+        .collect()
 }
 
-fn without(matrix: &[Vec<Number>], row: usize, column: usize) -> Vec<Vec<Number>> {
-    let rows = matrix.iter().enumerate().filter(|(index, _)| *index != row);
-    rows.map(|(_, line)| {
-        let entries = line
+/// The entries of two tables, combined in pairs.
+pub fn zip_with(a: &Table, b: &Table, combine: impl Fn(&Sample, &Sample) -> Sample) -> Table {
+    let rows = a.iter().zip(b);
+    rows.map(|(a, b)| a.iter().zip(b).map(|(a, b)| combine(a, b)).collect())
+        .collect()
+}
+
+/// A·B, or a multiple of one of them where the other has one entry.
+pub fn product(a: &Table, b: &Table, extension: &Extension) -> Table {
+    let is_single = |table: &Table| table.len() == 1 && table[0].len() == 1;
+    if is_single(a) {
+        return each(b, |entry| a[0][0].product(entry, extension));
+    }
+    if is_single(b) {
+        return each(a, |entry| b[0][0].product(entry, extension));
+    }
+    let entry = |row: &[Sample], column: usize| {
+        let terms = row
             .iter()
-            .enumerate()
-            .filter(|(index, _)| *index != column);
-        entries.map(|(_, entry)| entry.clone()).collect()
-    })
-    .collect()
+            .zip(b)
+            .map(|(x, line)| extension.product(&x.number, &line[column].number));
+        Sample::from(terms.fold(Number::default(), |sum, term| sum.sum(&term)))
+    };
+    let width = b.first().map_or(0, Vec::len);
+    a.iter()
+        .map(|row| (0..width).map(|column| entry(row, column)).collect())
+        .collect()
+}
+
+/// Aᵀ.
+pub fn transpose(table: &Table) -> Table {
+    let width = table.first().map_or(0, Vec::len);
+    let column = |place: usize| table.iter().map(|row| row[place].clone()).collect();
+    (0..width).map(column).collect()
+}
+
+/// Some rows and columns, counted from 1.
+///
+/// # Errors
+///
+/// The reason where there is no such row or column.
+pub fn select(table: &Table, rows: &[usize], columns: &[usize]) -> Result<Table, Failure> {
+    let entry = |row: usize, column: usize| -> Option<Sample> {
+        table
+            .get(row.checked_sub(1)?)?
+            .get(column.checked_sub(1)?)
+            .cloned()
+    };
+    rows.iter()
+        .map(|row| columns.iter().map(|column| entry(*row, *column)).collect())
+        .collect::<Option<Table>>()
+        .ok_or("no such row or column".into())
 }
