@@ -15,7 +15,9 @@ use crate::algebra::sign::Signs;
 
 use super::condition::Conditions;
 use super::diagnostic::{Diagnostic, DiagnosticKind};
-use super::elaboration::{Elaborator, algebra, check_order};
+use super::elaboration::Elaborator;
+use super::elaboration::error::algebra;
+use super::elaboration::limit::check_order;
 use super::evaluation::evaluator::Evaluator;
 use super::evaluation::number::Number;
 use super::evaluation::point::Size;
@@ -211,15 +213,6 @@ impl Elaborator {
             shown.collect_values(&mut names);
         }
         Ok(names)
-    }
-
-    fn present(&self, element: &Fraction, span: &Span) -> Result<Expression, Diagnostic> {
-        Presenter {
-            ring: &self.ring,
-            scope: &self.scope,
-        }
-        .element(element)
-        .map_err(|error| algebra(error, span))
     }
 
     fn present_conditions(

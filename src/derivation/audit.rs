@@ -10,7 +10,8 @@ use crate::algebra::sign::Signs;
 use super::assertion::{Assertion, Finding, Judge};
 use super::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
 use super::document::{Document, parse_document_with};
-use super::elaboration::{Elaborator, algebra};
+use super::elaboration::Elaborator;
+use super::elaboration::error::algebra;
 use super::matching::Matched;
 use super::matching_check::MatchingCheck;
 use super::name::Aliases;
@@ -410,7 +411,7 @@ impl Reader<'_> {
         if let (Some(a), Some(b)) = (&left.unit, &right.unit)
             && a != b
         {
-            return Err(super::elaboration::units(a, b, span));
+            return Err(super::elaboration::error::units(a, b, span));
         }
         let signs = match relation.comparison {
             Comparison::Less => Signs::POSITIVE,

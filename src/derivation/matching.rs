@@ -14,7 +14,8 @@ use crate::algebra::symbol::Symbol;
 
 use super::condition::Conditions;
 use super::diagnostic::{Diagnostic, DiagnosticKind};
-use super::elaboration::{Elaborator, algebra, units};
+use super::elaboration::Elaborator;
+use super::elaboration::error::{algebra, units};
 use super::foundation::Foundation;
 use super::presentation::Presenter;
 use super::scope::Meaning;
@@ -267,21 +268,6 @@ impl Elaborator {
         };
         self.scope
             .declare(&matching.name, meaning, matching.description.clone())
-    }
-
-    /// The symbol of a variable that is given by name.
-    pub(super) fn variable(&mut self, name: &Spanned<Name>) -> Result<Symbol, Diagnostic> {
-        let expression = Expression {
-            node: super::syntax::Node::Name(name.value.clone()),
-            span: name.span.clone(),
-        };
-        let quantity = self.scalar(&expression)?;
-        self.symbol(&quantity, &name.span)
-    }
-
-    /// The symbols of variables that are given by name.
-    pub(super) fn variables(&mut self, names: &[Spanned<Name>]) -> Result<Vec<Symbol>, Diagnostic> {
-        names.iter().map(|name| self.variable(name)).collect()
     }
 
     fn equations(

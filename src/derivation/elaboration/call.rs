@@ -1,0 +1,110 @@
+//! Calls: functions known only through their derivatives, and definitions with arguments.
+
+use crate::algebra::number::Rational;
+use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::derivation::quantity::{Quantity, Value};
+use crate::derivation::scope::Meaning;
+use crate::derivation::syntax::{Expression, Name, Span};
+use crate::derivation::unit::Unit;
+
+use super::Elaborator;
+use super::error::{algebra, argument_count};
+use super::limit::check_calls;
+
+impl Elaborator {
+    /// What a call gives.
+    pub(super) fn call(
+        &mut self,
+        function: &Name,
+        order: u32,
+        arguments: &[Expression],
+        span: &Span,
+    ) -> Result<Value, Diagnostic> {
+        match self.scope.get(function).map(|entry| entry.meaning.clone()) {
+            Some(Meaning::Function { .. }) => {
+                let [argument] = arguments else {
+                    return Err(argument_count(function, 1, arguments.len(), span));
+                };
+                let argument = self.scalar(argument)?;
+                self.function_value(function, order, Some(argument), span)
+            }
+            Some(Meaning::Template {
+                arguments: names,
+                expression,
+            }) => {
+                if names.len() != arguments.len() {
+                    return Err(argument_count(function, names.len(), arguments.len(), span));
+                }
+                self.template(function, names, &expression, arguments, span)
+            }
+            Some(_) => {
+                let message = format!("`{function}` is not a function");
+                Err(
+                    Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
+                        .with_label("called with arguments")
+                        .with_help(format!("for a product write `{function}*(…)`")),
+                )
+            }
+            None => self.built_in(function, order, arguments, span),
+        }
+    }
+
+    /// The body of a definition with arguments, at their values.
+    fn template(
+        &mut self,
+        function: &Name,
+        names: Vec<Name>,
+        body: &Expression,
+        arguments: &[Expression],
+        span: &Span,
+    ) -> Result<Value, Diagnostic> {
+        check_calls(self.arguments.len(), function, span)?;
+        let values: Result<Vec<Value>, Diagnostic> = arguments
+            .iter()
+            .map(|argument| self.value(argument))
+            .collect();
+        let names = names.into_iter().map(|name| name.ascii);
+        self.arguments.push(names.zip(values?).collect());
+        let value = self.value(body);
+        self.arguments.pop();
+        // A mistake in the definition's text may be one of this call.
+        value.map_err(|error| match error.secondary.len() {
+            0..3 => error.with_secondary(span.clone(), format!("in this call of `{function}`")),
+            _ => error,
+        })
+    }
+
+    /// f⁽ᵏ⁾ at the given argument, or at its reference argument.
+    pub(super) fn function_value(
+        &mut self,
+        name: &Name,
+        order: u32,
+        argument: Option<Quantity>,
+        span: &Span,
+    ) -> Result<Value, Diagnostic> {
+        let Meaning::Function {
+            argument: reference,
+            unit,
+            ..
+        } = &self.scope.find(name, span)?.meaning
+        else {
+            let message = format!("`{name}` is not declared as a function");
+            return Err(
+                Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
+                    .with_label("a prime asks for the derivative of a function")
+                    .with_help(format!("declare it with `function {name} at … : …`")),
+            );
+        };
+        let unit = unit.clone();
+        let argument = argument.unwrap_or_else(|| reference.clone());
+        let slope = match &argument.unit {
+            Some(per) => per.inverse().power(&Rational::from(order)),
+            None => Unit::one(),
+        };
+        let value = self
+            .ring
+            .function_value(&name.ascii, order, &argument.value)
+            .map_err(|error| algebra(error, span))?;
+        Ok(Quantity::new(value, unit.product(&slope)).scalar())
+    }
+}

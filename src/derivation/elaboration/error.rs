@@ -1,0 +1,126 @@
+//! Why an expression is no element of the ring, for the reader of the document.
+
+use crate::algebra::error::AlgebraError;
+use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::derivation::quantity::{QuantityError, Value};
+use crate::derivation::syntax::{Expression, Name, Span};
+use crate::derivation::unit::Unit;
+
+/// What the algebra could not do, at a place of the document.
+pub fn algebra(error: AlgebraError, span: &Span) -> Diagnostic {
+    let (kind, message, label, help) = match &error {
+        AlgebraError::DivisionByZero => (
+            DiagnosticKind::DivisionByZero,
+            "division by an expression that is identically 0".to_string(),
+            "a divisor here is 0",
+            "change the expression or the replacement, or cancel what vanishes before it does",
+        ),
+        AlgebraError::Exhausted(limit) => (
+            DiagnosticKind::Budget,
+            format!("this is too large to compute: {limit}"),
+            "given up here",
+            "break it into parts, or give names to what need not be expanded",
+        ),
+        AlgebraError::TooManySymbols => (
+            DiagnosticKind::Budget,
+            "the document has more symbols than the ring can hold".to_string(),
+            "no symbol left",
+            "split the document",
+        ),
+        AlgebraError::FractionalAngle => (
+            DiagnosticKind::Unsupported,
+            "the sine of this angle is no polynomial in the sines used before".to_string(),
+            "a fraction of earlier angles",
+            "mention the sine or cosine of the smaller angle earlier in the document",
+        ),
+        AlgebraError::NotAnAngle => (
+            DiagnosticKind::Unsupported,
+            "sines are taken of sums of angles with whole coefficients".to_string(),
+            "not such an angle",
+            "declare what stands here with `angle` or as a coordinate in rad",
+        ),
+        AlgebraError::UnknownSign => (
+            DiagnosticKind::Unsupported,
+            "the sign below this root, or of the root, cannot be told".to_string(),
+            "a root of what may be negative, or of a square whose base may be",
+            "state a sign with `parameter … > 0` or `assume … > 0`; for √−1 declare `imaginary i`",
+        ),
+    };
+    Diagnostic::new(kind, span.clone(), message)
+        .with_label(label)
+        .with_help(help)
+}
+
+/// What the arithmetic of quantities could not do, at a place of the document.
+pub fn quantity(error: QuantityError, span: &Span) -> Diagnostic {
+    match error {
+        QuantityError::Algebra(error) => algebra(error, span),
+        QuantityError::Units(a, b) => units(&a, &b, span),
+    }
+}
+
+/// Quantities of different units were added or compared.
+pub fn units(a: &Unit, b: &Unit, span: &Span) -> Diagnostic {
+    let message = format!("the units {a} and {b} do not fit together");
+    Diagnostic::new(DiagnosticKind::Unit, span.clone(), message)
+        .with_label(format!("{a} and {b}"))
+        .with_help("only quantities of one unit can be added or compared")
+}
+
+/// What the arithmetic of quantities could not do with two expressions.
+pub fn sides(
+    error: QuantityError,
+    left: &Expression,
+    right: &Expression,
+    span: &Span,
+) -> Diagnostic {
+    match error {
+        QuantityError::Units(a, b) => units(&a, &b, span)
+            .with_label("added or compared here")
+            .with_secondary(left.span.clone(), a.to_string())
+            .with_secondary(right.span.clone(), b.to_string()),
+        error => quantity(error, span),
+    }
+}
+
+/// Matrices do not fit together.
+pub fn shape(span: &Span, message: String) -> Diagnostic {
+    Diagnostic::new(DiagnosticKind::Shape, span.clone(), message)
+}
+
+/// Two matrices do not fit together.
+pub fn mismatch(
+    verb: &str,
+    a: &Value,
+    b: &Value,
+    left: &Expression,
+    right: &Expression,
+    span: &Span,
+) -> Diagnostic {
+    let size = |value: &Value| format!("{}×{}", value.rows(), value.columns());
+    shape(
+        span,
+        format!("a {} and a {} matrix cannot be {verb}", size(a), size(b)),
+    )
+    .with_label("the shapes do not fit")
+    .with_help(
+        "sums need equal shapes; a product needs as many columns on the left as rows on the right",
+    )
+    .with_secondary(left.span.clone(), size(a))
+    .with_secondary(right.span.clone(), size(b))
+}
+
+/// A wrong number of arguments.
+pub fn argument_count(function: &Name, wanted: usize, given: usize, span: &Span) -> Diagnostic {
+    let message = format!("`{function}` takes {wanted} arguments, not {given}");
+    let message = if wanted == 1 {
+        message.replace("arguments", "argument")
+    } else {
+        message
+    };
+    Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
+        .with_label(format!("{given} given"))
+        .with_help(
+            "separate arguments by `,`; the entries of a vector stand in one pair of brackets",
+        )
+}

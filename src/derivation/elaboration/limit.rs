@@ -1,0 +1,132 @@
+//! The limits on what is elaborated: what is too large is refused before it is computed.
+
+use std::collections::BTreeSet;
+
+use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::derivation::quantity::{Quantity, Value};
+use crate::derivation::syntax::{Name, Span};
+
+/// The largest side of a matrix.
+pub const MOST_ROWS: usize = 64;
+
+/// How deep definitions with arguments may call each other.
+const DEEPEST_CALL: usize = 32;
+
+/// How deep expressions may be nested, calls included; what evaluates them is recursive.
+const DEEPEST_NESTING: usize = 600;
+
+/// The most steps of one statement are spent on so many parts of expressions.
+pub const MOST_PARTS: u64 = 200_000;
+
+/// The highest order of an expansion in small quantities.
+const HIGHEST_ORDER: u32 = 12;
+
+/// The most minors that one determinant may need.
+const MOST_MINORS: usize = 20_000;
+
+/// The most terms that the entries of one value may have together.
+const MOST_TERMS_OF_A_VALUE: usize = 1_000_000;
+
+/// Allows so many calls within each other.
+pub fn check_calls(depth: usize, function: &Name, span: &Span) -> Result<(), Diagnostic> {
+    if depth < DEEPEST_CALL {
+        return Ok(());
+    }
+    let message = format!("`{function}` calls itself too deeply");
+    Err(
+        Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+            .with_label(format!("more than {DEEPEST_CALL} calls within each other"))
+            .with_help("a definition cannot call itself"),
+    )
+}
+
+/// Allows so many expressions within each other.
+pub fn check_nesting(depth: usize, span: &Span) -> Result<(), Diagnostic> {
+    if depth < DEEPEST_NESTING {
+        return Ok(());
+    }
+    let message = "calls and brackets are nested too deeply";
+    Err(
+        Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+            .with_label(format!("more than {DEEPEST_NESTING} within each other"))
+            .with_help("give names to parts with `:=`"),
+    )
+}
+
+/// Allows a value by the number of its terms.
+pub fn check_terms(value: &Value, span: &Span) -> Result<(), Diagnostic> {
+    let terms = |entry: &Quantity| entry.value.numerator().len() + entry.value.denominator().len();
+    if value.entries().iter().map(terms).sum::<usize>() <= MOST_TERMS_OF_A_VALUE {
+        return Ok(());
+    }
+    let message = format!(
+        "this is too large to compute: its entries have more than {MOST_TERMS_OF_A_VALUE} terms"
+    );
+    Err(
+        Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+            .with_label("given up here")
+            .with_help("compute with fewer entries at a time"),
+    )
+}
+
+/// Allows an expansion up to terms of this order.
+pub fn check_order(order: u32, span: &Span) -> Result<u32, Diagnostic> {
+    if order <= HIGHEST_ORDER {
+        return Ok(order);
+    }
+    let message = format!("expansions go up to order {HIGHEST_ORDER}");
+    Err(
+        Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+            .with_label(format!("order {order}"))
+            .with_help("take coefficients of a polynomial with `coefficient(…)`"),
+    )
+}
+
+/// Allows a matrix of so many rows and columns.
+pub fn check_sides(rows: usize, columns: usize, span: &Span) -> Result<(), Diagnostic> {
+    if rows.max(columns) <= MOST_ROWS {
+        return Ok(());
+    }
+    let message = format!("a matrix may have {MOST_ROWS} rows and columns at most");
+    Err(
+        Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+            .with_label(format!(
+                "this one would have {rows} rows and {columns} columns"
+            ))
+            .with_help("compute with blocks of it"),
+    )
+}
+
+/// Counts the minors that an expansion along the rows needs, leaving out entries that are 0; each
+/// counts as often as `weight` says.
+pub fn check_minors(matrix: &Value, weight: usize, span: &Span) -> Result<(), Diagnostic> {
+    let all = u64::MAX >> (u64::BITS as usize - matrix.columns().clamp(1, u64::BITS as usize));
+    let (mut level, mut count) = (BTreeSet::from([all]), 0);
+    for row in 0..matrix.rows() {
+        let mut next = BTreeSet::new();
+        for columns in level {
+            for column in (0..matrix.columns()).filter(|column| columns & (1 << column) != 0) {
+                if !matrix.at(row, column).value.is_zero() {
+                    next.insert(columns & !(1 << column));
+                }
+            }
+            if (count + next.len()) * weight > MOST_MINORS {
+                let (rows, columns) = matrix.shape();
+                let message = format!(
+                    "this is too large to compute: the determinants of this {rows}×{columns} matrix \
+                     need more than {MOST_MINORS} minors"
+                );
+                return Err(
+                    Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+                        .with_label("given up here")
+                        .with_help(
+                            "break the matrix into blocks, or claim its determinant block by block",
+                        ),
+                );
+            }
+        }
+        count += next.len();
+        level = next;
+    }
+    Ok(())
+}

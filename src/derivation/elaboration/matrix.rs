@@ -1,0 +1,133 @@
+//! Matrices: made of blocks, their entries, determinants and inverses.
+
+use crate::algebra::determinant::{adjugate, determinant};
+use crate::algebra::matrix::Matrix;
+use crate::algebra::number::Rational;
+use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::derivation::quantity::{Quantities, Quantity, Value};
+use crate::derivation::syntax::{Expression, Span};
+
+use super::Elaborator;
+use super::error::{quantity, shape};
+use super::limit::{check_minors, check_sides};
+
+impl Elaborator {
+    /// A matrix of blocks: the entries of a row have equally many rows, the rows equally many columns.
+    pub(super) fn blocks(
+        &mut self,
+        rows: &[Vec<Expression>],
+        span: &Span,
+    ) -> Result<Value, Diagnostic> {
+        let mut lines: Vec<Vec<Quantity>> = Vec::new();
+        for row in rows {
+            let mut band: Vec<Vec<Quantity>> = Vec::new();
+            for (place, block) in row.iter().enumerate() {
+                let value = self.value(block)?;
+                if place == 0 {
+                    band = vec![Vec::new(); value.rows()];
+                } else if band.len() != value.rows() {
+                    let message = "the blocks of a row have different heights";
+                    return Err(shape(&block.span, message.into())
+                        .with_label(format!("height {}, not {}", value.rows(), band.len()))
+                        .with_help("blocks side by side have equally many rows"));
+                }
+                for (index, line) in band.iter_mut().enumerate() {
+                    line.extend((0..value.columns()).map(|column| value.at(index, column).clone()));
+                }
+            }
+            lines.extend(band);
+        }
+        let width = lines.first().map_or(0, Vec::len);
+        if lines.iter().any(|line| line.len() != width) {
+            let widths: Vec<String> = lines.iter().map(|line| line.len().to_string()).collect();
+            return Err(
+                shape(span, "the rows of a matrix have different lengths".into())
+                    .with_label(format!("lengths {}", widths.join(", ")))
+                    .with_help("`,` stands between the entries of a row, `;` between rows"),
+            );
+        }
+        check_sides(lines.len(), width, span)?;
+        Ok(Matrix::from_fn(lines.len(), width, |row, column| {
+            lines[row][column].clone()
+        }))
+    }
+
+    /// `M[i, j]`, or `v[i]` of a vector.
+    pub(super) fn entry(
+        &mut self,
+        matrix: &Expression,
+        indices: &[Expression],
+        span: &Span,
+    ) -> Result<Value, Diagnostic> {
+        let value = self.value(matrix)?;
+        let mut places = Vec::new();
+        for index in indices {
+            places.push(self.natural(index)?);
+        }
+        let (row, column) = match places[..] {
+            [row, column] => (row, column),
+            [place] if value.columns() == 1 => (place, 1),
+            [place] if value.rows() == 1 => (1, place),
+            _ => {
+                return Err(
+                    shape(span, "an entry of a matrix has a row and a column".into())
+                        .with_help("write `M[1, 3]`, or `v[2]` for a vector"),
+                );
+            }
+        };
+        let (rows, columns) = value.shape();
+        if row < 1 || column < 1 || row > rows || column > columns {
+            return Err(shape(
+                span,
+                format!("a {rows}×{columns} matrix has no entry [{row}, {column}]"),
+            )
+            .with_help("rows and columns count from 1"));
+        }
+        Ok(value.at(row - 1, column - 1).clone().scalar())
+    }
+
+    /// A⁻¹ = adj A/|A|; |A| must not vanish.
+    pub fn inverse(&mut self, matrix: &Value, span: &Span) -> Result<Value, Diagnostic> {
+        if !matrix.is_square() {
+            let (rows, columns) = matrix.shape();
+            return Err(
+                shape(span, format!("a {rows}×{columns} matrix has no inverse"))
+                    .with_help("only square matrices have one"),
+            );
+        }
+        let below = self.determinant(matrix, span)?;
+        let above = self.adjugate(matrix, span)?;
+        if below.value.is_zero() {
+            let message = "the determinant of this matrix is identically 0";
+            return Err(
+                Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
+                    .with_label("has no inverse")
+                    .with_help("look at its null space with `kernel(…)`"),
+            );
+        }
+        self.divide(&above, &below, span)
+    }
+
+    /// |A| of a square matrix.
+    pub fn determinant(&self, matrix: &Value, span: &Span) -> Result<Quantity, Diagnostic> {
+        check_minors(matrix, 1, span)?;
+        determinant(matrix, &Quantities(&self.ring)).map_err(|error| quantity(error, span))
+    }
+
+    /// adj A of a square matrix.
+    pub fn adjugate(&self, matrix: &Value, span: &Span) -> Result<Value, Diagnostic> {
+        check_minors(matrix, matrix.rows().pow(2).div_ceil(50), span)?;
+        adjugate(matrix, &Quantities(&self.ring)).map_err(|error| quantity(error, span))
+    }
+}
+
+/// The identity matrix.
+pub fn identity(size: usize) -> Value {
+    Matrix::from_fn(size, size, |row, column| {
+        Quantity::number(if row == column {
+            Rational::ONE
+        } else {
+            Rational::ZERO
+        })
+    })
+}

@@ -1,0 +1,190 @@
+//! Replacements, as they stand behind `at`.
+
+use std::collections::BTreeMap;
+
+use crate::algebra::fraction::Fraction;
+use crate::algebra::polynomial::Polynomial;
+use crate::algebra::sign::Signs;
+use crate::algebra::substitution::Substitution;
+use crate::derivation::condition::Conditions;
+use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind, nearest};
+use crate::derivation::notation::Notation;
+use crate::derivation::quantity::{Quantity, Value, common_unit};
+use crate::derivation::scope::{Meaning, Scope};
+use crate::derivation::syntax::{Expression, Name, Place, Replacement, Span};
+use crate::derivation::unit::Unit;
+
+use super::Elaborator;
+use super::error::{algebra, sides};
+
+impl Elaborator {
+    /// What an expression is with the replacements of a place.
+    pub(super) fn at(
+        &mut self,
+        inner: &Expression,
+        place: &Place,
+        span: &Span,
+    ) -> Result<Value, Diagnostic> {
+        let (value, needed) = self.value_and_conditions(inner)?;
+        let substitution = self.substitution(place, span)?;
+        self.require_after(&needed, &substitution, span)?;
+        value.try_map(|entry| {
+            let image = self.ring.substitute(&entry.value, &substitution);
+            Ok(Quantity {
+                value: image.map_err(|error| algebra(error, span))?,
+                unit: entry.unit.clone(),
+            })
+        })
+    }
+
+    /// A value and the conditions that it needs; those noted before stay as they are.
+    pub(in crate::derivation) fn value_and_conditions(
+        &mut self,
+        expression: &Expression,
+    ) -> Result<(Value, Conditions), Diagnostic> {
+        let outer = std::mem::take(&mut self.conditions);
+        let value = self.value(expression)?;
+        Ok((value, std::mem::replace(&mut self.conditions, outer)))
+    }
+
+    /// Notes what conditions become by a substitution.
+    pub(in crate::derivation) fn require_after(
+        &mut self,
+        needed: &Conditions,
+        substitution: &Substitution,
+        span: &Span,
+    ) -> Result<(), Diagnostic> {
+        let needed = needed
+            .substitute(substitution, &mut self.ring)
+            .map_err(|error| algebra(error, span))?;
+        self.conditions.extend(&needed);
+        Ok(())
+    }
+
+    /// What a place replaces by what.
+    pub fn substitution(&mut self, place: &Place, span: &Span) -> Result<Substitution, Diagnostic> {
+        let name = match place {
+            Place::Replacements(replacements) => return self.read_replacements(replacements, span),
+            Place::Named(name) => name,
+        };
+        let replacements = match self.scope.get(name).map(|entry| &entry.meaning) {
+            Some(Meaning::Substitution {
+                replacements,
+                conditions,
+                ..
+            }) => {
+                self.conditions.extend(conditions);
+                replacements.clone()
+            }
+            Some(_) => {
+                let message = format!("`{name}` is not a substitution");
+                return Err(
+                    Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
+                        .with_label("cannot be used behind `at`")
+                        .with_help(
+                            "write `at (x = 0)`, or declare the replacements with `substitution`",
+                        ),
+                );
+            }
+            None => return Err(unknown(name, &self.scope, span)),
+        };
+        // The arguments of a call mean nothing where the substitution was declared.
+        self.arguments.push(BTreeMap::new());
+        let substitution = self.read_replacements(&replacements, span);
+        self.arguments.pop();
+        substitution
+    }
+
+    fn read_replacements(
+        &mut self,
+        replacements: &[Replacement],
+        span: &Span,
+    ) -> Result<Substitution, Diagnostic> {
+        let mut substitution = Substitution::new();
+        for Replacement { target, value } in replacements {
+            let quantity = self.scalar(target)?;
+            let symbol = self.symbol(&quantity, &target.span)?;
+            let image = self.scalar(value)?;
+            // A bare number is read in the SI unit of what it replaces.
+            let bare = image.value.as_constant().is_some() && image.unit == Some(Unit::one());
+            if !bare {
+                common_unit(&quantity.unit, &image.unit)
+                    .map_err(|error| sides(error, target, value, span))?;
+            }
+            if substitution.insert(symbol, image.value).is_some() {
+                let message = "this is replaced twice";
+                return Err(Diagnostic::new(
+                    DiagnosticKind::Duplicate,
+                    target.span.clone(),
+                    message,
+                )
+                .with_label("replaced again")
+                .with_help("replace it once; replacements in one `at` are carried out together"));
+            }
+        }
+        self.respect_assumptions(&substitution, replacements, span)?;
+        Ok(substitution)
+    }
+
+    /// Sees that what is assumed of symbols remains true of what replaces them: roots and signs were
+    /// found with it.
+    fn respect_assumptions(
+        &mut self,
+        substitution: &Substitution,
+        replacements: &[Replacement],
+        span: &Span,
+    ) -> Result<(), Diagnostic> {
+        let wrap = |error| algebra(error, span);
+        let assumed: Vec<(Polynomial, Signs)> = {
+            let assumptions = self.ring.assumptions();
+            let symbols = substitution.keys();
+            let of_symbols =
+                symbols.map(|symbol| (Polynomial::symbol(*symbol), assumptions.of_symbol(*symbol)));
+            of_symbols
+                .chain(assumptions.polynomials().iter().cloned())
+                .collect()
+        };
+        for (polynomial, signs) in assumed {
+            if !substitution
+                .keys()
+                .any(|symbol| polynomial.contains(*symbol))
+            {
+                continue;
+            }
+            let element = Fraction::from(polynomial.clone());
+            let image = self.ring.substitute(&element, substitution).map_err(wrap)?;
+            if !self.ring.signs(&image).map_err(wrap)?.is_within(signs) {
+                let shown = self.presenter().polynomial(&polynomial);
+                let shown = Notation::Unicode.expression(&shown.map_err(wrap)?);
+                let place = replacements
+                    .iter()
+                    .find(|replacement| !replacement.value.span.is_empty());
+                let place =
+                    place.map_or(span.clone(), |replacement| replacement.value.span.clone());
+                let message = format!("this need not respect what is assumed of {shown}");
+                return Err(Diagnostic::new(DiagnosticKind::Arguments, place, message)
+                    .with_label(format!("{shown} must stay {signs}"))
+                    .with_help(
+                        "replace it by something whose sign follows from the declarations",
+                    ));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A name behind `at` that the document does not declare.
+fn unknown(name: &Name, scope: &Scope, span: &Span) -> Diagnostic {
+    let substitutions = scope
+        .entries()
+        .filter(|entry| matches!(entry.meaning, Meaning::Substitution { .. }));
+    let names = substitutions.map(|entry| entry.name.unicode.as_str());
+    let help = match nearest(&name.unicode, names) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("declare it with `substitution {name}: x = 0`"),
+    };
+    let message = format!("there is no substitution `{name}`");
+    Diagnostic::new(DiagnosticKind::UnknownName, span.clone(), message)
+        .with_label("unknown name behind `at`")
+        .with_help(help)
+}

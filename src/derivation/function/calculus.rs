@@ -1,0 +1,107 @@
+//! Derivatives and expansions.
+
+use crate::algebra::arithmetic::Arithmetic;
+use crate::algebra::differential::Differential;
+use crate::algebra::matrix::Matrix;
+use crate::derivation::diagnostic::Diagnostic;
+use crate::derivation::elaboration::Elaborator;
+use crate::derivation::elaboration::error::{algebra, shape};
+use crate::derivation::elaboration::limit::check_order;
+use crate::derivation::quantity::{Quantity, Value};
+use crate::derivation::syntax::{Expression, Span, Spanned};
+use crate::derivation::unit::Unit;
+
+impl Elaborator {
+    /// d/dt, entry by entry.
+    pub(super) fn time_derivative(
+        &mut self,
+        inner: &Expression,
+        span: &Span,
+    ) -> Result<Value, Diagnostic> {
+        let value = self.value(inner)?;
+        let per_second = per_second();
+        value.try_map(|entry| self.derivative(entry, &Differential::Time, &per_second, span))
+    }
+
+    /// ∂fᵢ/∂qⱼ: a row for each entry of the column f, a column for each entry of q.
+    pub(super) fn jacobian(
+        &mut self,
+        value: &Expression,
+        variables: &Expression,
+        span: &Span,
+    ) -> Result<Value, Diagnostic> {
+        let f = self.value(value)?;
+        let q = self.value(variables)?;
+        if f.columns() != 1 || (q.columns() != 1 && q.rows() != 1) {
+            return Err(shape(
+                span,
+                "a derivative is taken of a column, by a vector".into(),
+            )
+            .with_help("write d([F_x; F_y], [x; y]) for the matrix of derivatives"));
+        }
+        let mut symbols = Vec::new();
+        for entry in q.entries() {
+            symbols.push((
+                self.symbol(entry, &variables.span)?,
+                entry.unit.clone().unwrap_or_default(),
+            ));
+        }
+        Matrix::try_from_fn(f.rows(), symbols.len(), |row, column| {
+            let (symbol, unit) = &symbols[column];
+            let partial = Differential::partial(*symbol, &self.ring);
+            self.derivative(f.at(row, 0), &partial, &unit.inverse(), span)
+        })
+    }
+
+    /// The derivative of a quantity, whose unit becomes so much `per`.
+    fn derivative(
+        &mut self,
+        entry: &Quantity,
+        differential: &Differential,
+        per: &Unit,
+        span: &Span,
+    ) -> Result<Quantity, Diagnostic> {
+        let value = self.ring.differentiate(&entry.value, differential);
+        Ok(Quantity {
+            value: value.map_err(|error| algebra(error, span))?,
+            unit: entry.unit.as_ref().map(|unit| unit.product(per)),
+        })
+    }
+
+    /// The terms up to an order in small quantities.
+    pub(super) fn truncation(
+        &mut self,
+        value: &Expression,
+        small: &Expression,
+        order: &Expression,
+        span: &Span,
+    ) -> Result<Value, Diagnostic> {
+        let order = check_order(self.natural(order)? as u32, &order.span)?;
+        let mut symbols = Vec::new();
+        for entry in self.value(small)?.entries() {
+            symbols.push(self.symbol(entry, &small.span)?);
+        }
+        // What must hold must hold where the small quantities vanish.
+        let (value, needed) = self.value_and_conditions(value)?;
+        let at_zero = symbols
+            .iter()
+            .map(|symbol| (*symbol, self.ring.zero()))
+            .collect();
+        self.require_after(&needed, &at_zero, span)?;
+        value.try_map(|entry| {
+            let value = self.ring.truncate(&entry.value, &symbols, order);
+            Ok(Quantity {
+                value: value.map_err(|error| algebra(error, span))?,
+                unit: entry.unit.clone(),
+            })
+        })
+    }
+}
+
+fn per_second() -> Unit {
+    let seconds = Spanned {
+        value: "1/s".to_string(),
+        span: 0..0,
+    };
+    Unit::parse(&seconds).unwrap_or_default()
+}
