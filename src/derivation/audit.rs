@@ -7,11 +7,12 @@ use crate::algebra::budget::Budget;
 use crate::algebra::generator::Generator;
 use crate::algebra::sign::Signs;
 
-use super::assertion::{Assertion, Finding, Judge};
+use super::assertion::{Assertion, Finding};
 use super::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
 use super::document::{Document, parse_document_with};
 use super::elaboration::Elaborator;
 use super::elaboration::error::algebra;
+use super::judge::Judge;
 use super::matching::Matched;
 use super::matching_check::MatchingCheck;
 use super::name::Aliases;

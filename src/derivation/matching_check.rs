@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::assertion::Judge;
 use super::diagnostic::{Diagnostic, DiagnosticKind};
 use super::evaluation::evaluator::Evaluator;
 use super::evaluation::number::Number;
+use super::judge::Judge;
 use super::matching::Matched;
 use super::syntax::{Expression, Node, Place, Span};
 

@@ -12,6 +12,7 @@ pub mod evaluation;
 pub mod expression_parser;
 mod foundation;
 pub mod function;
+mod judge;
 pub mod label;
 mod lexer;
 pub mod markdown;

@@ -1,0 +1,142 @@
+//! Comparisons of the first route: equal normal forms, leading terms, signs.
+
+use crate::algebra::fraction::Fraction;
+use crate::algebra::generator::Generator;
+use crate::algebra::sign::Signs;
+use crate::algebra::symbol::Symbol;
+use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::derivation::elaboration::Elaborator;
+use crate::derivation::elaboration::error::algebra;
+use crate::derivation::syntax::{Comparison, Order, Relation, Span};
+
+use super::Outcome;
+
+/// How far beyond the stated order the leading term of a residual is looked for.
+const RESIDUAL_ORDERS: u32 = 3;
+
+impl Elaborator {
+    /// Whether all differences are 0.
+    pub(super) fn compare(&self, differences: &[Fraction]) -> Outcome {
+        if differences.iter().all(Fraction::is_zero) {
+            return Outcome::True;
+        }
+        let symbols = differences
+            .iter()
+            .flat_map(|difference| difference.numerator().symbols());
+        if symbols
+            .into_iter()
+            .any(|symbol| self.rests_on_direction(symbol))
+        {
+            return Outcome::Unresolved(
+                "the difference contains the angle of a vector, which may be one of the other angles",
+            );
+        }
+        Outcome::Different(None)
+    }
+
+    /// Whether a symbol is the angle of a vector, or the value of a function at one.
+    fn rests_on_direction(&self, symbol: Symbol) -> bool {
+        let is_direction =
+            |symbol| matches!(self.ring.generator(symbol), Generator::Direction { .. });
+        match self.ring.generator(symbol) {
+            Generator::FunctionValue { argument, .. } => {
+                argument.numerator().symbols().into_iter().any(is_direction)
+            }
+            _ => is_direction(symbol),
+        }
+    }
+
+    /// Whether all differences begin beyond an order in small quantities, and the leading term.
+    pub(super) fn compare_to_order(
+        &mut self,
+        differences: &[Fraction],
+        order: &Order,
+        span: &Span,
+    ) -> Result<(Outcome, Option<Fraction>), Diagnostic> {
+        let small = self.variables(&order.small)?;
+        let wrap = |error| algebra(error, span);
+        let mut leading: Option<(u32, Fraction)> = None;
+        for difference in differences {
+            let found = self
+                .ring
+                .leading_part(difference, &small, order.order + RESIDUAL_ORDERS)
+                .map_err(wrap)?;
+            let earlier = leading
+                .as_ref()
+                .is_none_or(|(least, _)| found.as_ref().is_some_and(|(degree, _)| degree < least));
+            if earlier && found.is_some() {
+                leading = found;
+            }
+        }
+        Ok(match leading {
+            _ if differences.iter().all(Fraction::is_zero) => (Outcome::True, None),
+            Some((degree, _)) if degree <= order.order => (Outcome::Different(Some(degree)), None),
+            Some((_, residual)) => (Outcome::TrueToOrder, Some(residual)),
+            None => (Outcome::TrueToOrder, None),
+        })
+    }
+
+    /// Whether the signs of a difference follow from the assumptions.
+    pub(super) fn compare_signs(
+        &mut self,
+        differences: &[Fraction],
+        comparison: Comparison,
+        relation: &Relation,
+    ) -> Result<Outcome, Diagnostic> {
+        let span = &relation.left.span;
+        let [difference] = differences else {
+            let message = "matrices have no order";
+            return Err(
+                Diagnostic::new(DiagnosticKind::Shape, span.clone(), message)
+                    .with_label("a matrix")
+                    .with_help("compare their entries, such as `A[1, 2] < B[1, 2]`"),
+            );
+        };
+        let signs = self
+            .ring
+            .signs(difference)
+            .map_err(|error| algebra(error, span))?;
+        let wanted = allowed(comparison);
+        let possible = |sign: fn(Signs) -> bool| sign(signs) && !sign(wanted);
+        let violated = possible(|signs| signs.negative)
+            || possible(|signs| signs.zero)
+            || possible(|signs| signs.positive);
+        Ok(match violated {
+            false => Outcome::True,
+            true if self.is_transcendental(difference) => Outcome::Unresolved(
+                "an angle stands beside its own sine or cosine, which a rational point cannot follow",
+            ),
+            true => Outcome::Open,
+        })
+    }
+
+    /// Whether an angle stands beside a sine or cosine of it: a point of the relations gives them
+    /// values that do not belong together, which shows nothing about an inequality.
+    fn is_transcendental(&self, element: &Fraction) -> bool {
+        let symbols = element
+            .numerator()
+            .symbols()
+            .into_iter()
+            .chain(element.denominator().symbols());
+        let symbols: Vec<_> = symbols.collect();
+        symbols
+            .iter()
+            .any(|symbol| match self.ring.generator(*symbol) {
+                Generator::Cosine { angle } | Generator::Sine { angle } => angle
+                    .coefficients()
+                    .any(|(inside, _)| symbols.contains(&inside)),
+                _ => false,
+            })
+    }
+}
+
+/// The signs that left − right may have.
+pub fn allowed(comparison: Comparison) -> Signs {
+    match comparison {
+        Comparison::Equal => Signs::ZERO,
+        Comparison::Less => Signs::NEGATIVE,
+        Comparison::LessOrEqual => Signs::NON_NEGATIVE.opposite(),
+        Comparison::Greater => Signs::POSITIVE,
+        Comparison::GreaterOrEqual => Signs::NON_NEGATIVE,
+    }
+}

@@ -1,0 +1,68 @@
+//! Both sides of an assertion at a point.
+
+use std::cmp::Ordering;
+
+use crate::algebra::number::Rational;
+use crate::derivation::assertion::Assertion;
+use crate::derivation::assertion::comparison::allowed;
+use crate::derivation::evaluation::evaluator::{Evaluator, Failure};
+use crate::derivation::evaluation::number::Number;
+use crate::derivation::syntax::{Comparison, Order, Relation};
+
+/// The numbers that a side is made of, row by row.
+pub type Numbers = Vec<Vec<Number>>;
+
+/// Both sides at a point: as they are, or part by part for an approximation.
+pub fn sides<'a>(
+    evaluator: &mut Evaluator<'a>,
+    assertion: &'a Assertion,
+    order: Option<&Order>,
+) -> Result<Vec<(Numbers, Numbers)>, Failure> {
+    let Relation { left, right, .. } = &assertion.relation;
+    match order {
+        None => Ok(vec![(
+            evaluator.evaluate(left)?,
+            evaluator.evaluate(right)?,
+        )]),
+        Some(order) => {
+            let small: Vec<&str> = order
+                .small
+                .iter()
+                .map(|name| name.value.ascii.as_str())
+                .collect();
+            let left = evaluator.parts(left, &small, order.order)?;
+            let right = evaluator.parts(right, &small, order.order)?;
+            Ok(left.into_iter().zip(right).collect())
+        }
+    }
+}
+
+/// Whether two tables stand in a relation; nothing where that cannot be told.
+pub fn compare(left: &Numbers, right: &Numbers, comparison: Comparison) -> Option<bool> {
+    if comparison == Comparison::Equal {
+        return Some(first_difference(left, right).is_none());
+    }
+    let [[a]] = [left.first()?.as_slice()] else {
+        return None;
+    };
+    let [[b]] = [right.first()?.as_slice()] else {
+        return None;
+    };
+    let difference = a.difference(b).as_rational()?;
+    let wanted = allowed(comparison);
+    Some(match difference.cmp(&Rational::ZERO) {
+        Ordering::Less => wanted.negative,
+        Ordering::Equal => wanted.zero,
+        Ordering::Greater => wanted.positive,
+    })
+}
+
+/// The row and column, counted from 0, of the first entry in which two tables differ.
+pub fn first_difference(left: &Numbers, right: &Numbers) -> Option<(usize, usize)> {
+    let mut places =
+        (0..left.len()).flat_map(|row| (0..left[row].len()).map(move |column| (row, column)));
+    places.find(|(row, column)| {
+        let other = right.get(*row).and_then(|line| line.get(*column));
+        other.is_none_or(|other| !left[*row][*column].difference(other).is_zero())
+    })
+}
