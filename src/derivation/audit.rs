@@ -14,7 +14,7 @@ use super::elaboration::Elaborator;
 use super::elaboration::error::algebra;
 use super::judge::Judge;
 use super::matching::Matched;
-use super::matching_check::MatchingCheck;
+use super::matching::check::MatchingCheck;
 use super::name::Aliases;
 use super::quantity::Quantity;
 use super::scope::{Meaning, SymbolKind};

@@ -17,7 +17,6 @@ pub mod label;
 mod lexer;
 pub mod markdown;
 pub mod matching;
-mod matching_check;
 pub mod name;
 pub mod notation;
 pub mod presentation;

@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use super::diagnostic::{Diagnostic, DiagnosticKind};
-use super::evaluation::evaluator::Evaluator;
-use super::evaluation::number::Number;
-use super::judge::Judge;
-use super::matching::Matched;
-use super::syntax::{Expression, Node, Place, Span};
+use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::derivation::evaluation::evaluator::Evaluator;
+use crate::derivation::evaluation::number::Number;
+use crate::derivation::judge::Judge;
+use crate::derivation::syntax::{Expression, Node, Place, Span};
+
+use super::Matched;
 
 /// What is evaluated at points to check a matching: exact − assumed against the residual, power by
 /// power, with the solution put in.

@@ -1,0 +1,56 @@
+//! What a matching leaves, power by power.
+
+use crate::algebra::arithmetic::Arithmetic;
+use crate::algebra::substitution::Substitution;
+use crate::derivation::diagnostic::Diagnostic;
+use crate::derivation::elaboration::Elaborator;
+use crate::derivation::elaboration::error::algebra;
+use crate::derivation::syntax::Matching;
+
+use super::{Coefficients, Row};
+
+/// How far beyond the linear terms the order of a residual is looked for.
+const HIGHEST_ORDER: u32 = 6;
+
+impl Elaborator {
+    /// Every power with what remains of it when the solution is put in, the highest first.
+    pub(super) fn residuals(
+        &mut self,
+        matching: &Matching,
+        coefficients: &Coefficients,
+        solution: &Substitution,
+    ) -> Result<Vec<Row>, Diagnostic> {
+        let rows = (0..=coefficients.degree()).rev();
+        rows.map(|power| self.residual(power, matching, coefficients, solution))
+            .collect()
+    }
+
+    fn residual(
+        &mut self,
+        power: u32,
+        matching: &Matching,
+        coefficients: &Coefficients,
+        solution: &Substitution,
+    ) -> Result<Row, Diagnostic> {
+        let wrap = |error| algebra(error, &matching.exact.span);
+        let (exact, assumed) = coefficients.at(power);
+        let solved = self.ring.substitute(&assumed, solution).map_err(wrap)?;
+        let residual = self.ring.difference(&exact, &solved).map_err(wrap)?;
+        let leading = match &coefficients.small[..] {
+            [] => None,
+            small => {
+                let leading = self.ring.leading_part(&residual, small, HIGHEST_ORDER);
+                leading.map_err(wrap)?
+            }
+        };
+        let presenter = self.presenter();
+        Ok(Row {
+            power,
+            exact: presenter.element(&exact).map_err(wrap)?,
+            assumed: presenter.element(&assumed).map_err(wrap)?,
+            residual: presenter.element(&residual).map_err(wrap)?,
+            order: leading.map(|(degree, _)| degree),
+            used: matching.powers.iter().any(|used| used.value == power),
+        })
+    }
+}

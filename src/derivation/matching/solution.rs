@@ -1,0 +1,135 @@
+//! The solution of a matching, and where it is singular.
+
+use crate::algebra::arithmetic::{Arithmetic, Division};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::linear_system::solve;
+use crate::algebra::matrix::Matrix;
+use crate::derivation::condition::Conditions;
+use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::derivation::elaboration::Elaborator;
+use crate::derivation::elaboration::error::algebra;
+use crate::derivation::scope::Meaning;
+use crate::derivation::syntax::{Expression, Matching, Name, Replacement, Span};
+
+use super::Singularity;
+use super::equations::Equations;
+
+impl Elaborator {
+    /// The solution of as many equations as there are unknowns, checked in the others, and the
+    /// determinant.
+    pub(super) fn solve_equations(
+        &mut self,
+        matching: &Matching,
+        equations: &Equations,
+        count: usize,
+    ) -> Result<(Vec<Fraction>, Fraction), Diagnostic> {
+        let span = &matching.name.span;
+        let wrap = |error| algebra(error, span);
+        let singular = |message: String| {
+            Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
+                .with_label("these equations do not determine the unknowns")
+                .with_help("use other powers behind `at`")
+        };
+        if equations.rows.len() < count {
+            let given = equations.rows.len();
+            let s = if given == 1 { "" } else { "s" };
+            return Err(
+                singular(format!("{given} equation{s} for {count} unknowns"))
+                    .with_help("name at least as many powers behind `at` as there are unknowns"),
+            );
+        }
+        let matrix = Matrix::from_fn(count, count, |row, column| {
+            equations.rows[row][column].clone()
+        });
+        let right = Matrix::from_fn(count, 1, |row, _| equations.right[row].clone());
+        let solved = solve(&matrix, &right, &self.ring).map_err(wrap)?;
+        if solved.determinant.is_zero() {
+            return Err(singular(
+                "the matching is singular: its determinant is identically 0".into(),
+            ));
+        }
+        let solution: Result<Vec<Fraction>, _> = solved
+            .numerators
+            .entries()
+            .iter()
+            .map(|numerator| self.ring.quotient(numerator, &solved.determinant))
+            .collect();
+        let solution = solution.map_err(wrap)?;
+        for ((row, right), power) in equations
+            .rows
+            .iter()
+            .zip(&equations.right)
+            .zip(&matching.powers)
+            .skip(count)
+        {
+            let mut left = self.ring.zero();
+            for (slope, value) in row.iter().zip(&solution) {
+                let term = self.ring.product(slope, value).map_err(wrap)?;
+                left = self.ring.sum(&left, &term).map_err(wrap)?;
+            }
+            if !self.ring.difference(&left, right).map_err(wrap)?.is_zero() {
+                let message = "this coefficient contradicts the ones before it";
+                return Err(Diagnostic::new(
+                    DiagnosticKind::Inconsistent,
+                    power.span.clone(),
+                    message,
+                )
+                .with_label("not satisfied by the solution of the others")
+                .with_help("use as many powers as there are unknowns"));
+            }
+        }
+        Ok((solution, solved.determinant))
+    }
+
+    /// The factors of a determinant that may vanish.
+    pub(super) fn singularities(
+        &mut self,
+        determinant: &Fraction,
+        solution: &[Fraction],
+        span: &Span,
+    ) -> Result<Vec<Singularity>, Diagnostic> {
+        let wrap = |error| algebra(error, span);
+        let mut found = Vec::new();
+        for (factor, exponent) in self.ring.factored(determinant).map_err(wrap)?.factors {
+            let signs = self.ring.polynomial_signs(&factor).map_err(wrap)?;
+            if exponent < 0 || signs.is_non_zero() {
+                continue;
+            }
+            let mut finite = true;
+            for value in solution {
+                let shared = value.denominator().gcd(&factor, self.ring.budget());
+                finite &= shared
+                    .map_err(|error| wrap(error.into()))?
+                    .as_constant()
+                    .is_some();
+            }
+            let presenter = self.presenter();
+            let factor = presenter.polynomial(&factor).map_err(wrap)?;
+            found.push(Singularity { factor, finite });
+        }
+        Ok(found)
+    }
+
+    /// Declares the solution as a substitution.
+    pub(super) fn declare_solution(
+        &mut self,
+        matching: &Matching,
+        solution: &[(Name, Expression)],
+        conditions: Conditions,
+    ) -> Result<(), Diagnostic> {
+        let replacements = solution.iter().map(|(name, value)| Replacement {
+            target: Expression::name(name.clone()),
+            value: value.clone(),
+        });
+        let mut sources = vec![matching.exact.clone(), matching.assumed.clone()];
+        sources.extend(matching.neglected.iter().cloned());
+        let replacements = replacements.collect();
+        let meaning = Meaning::Substitution {
+            replacements,
+            conditions,
+            sources,
+        };
+        self.scope
+            .declare(&matching.name, meaning, matching.description.clone())
+    }
+}
