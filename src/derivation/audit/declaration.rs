@@ -1,0 +1,251 @@
+//! Declarations: what statements make names mean, and what they assume.
+
+use crate::algebra::arithmetic::Arithmetic;
+use crate::algebra::generator::Generator;
+use crate::algebra::sign::Signs;
+use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::derivation::elaboration::error::{algebra, quantity};
+use crate::derivation::quantity::common_unit;
+use crate::derivation::scope::{Meaning, SymbolKind};
+use crate::derivation::syntax::{
+    Comparison, Expression, Name, Place, Relation, Sign, Span, Spanned, Statement, StatementKind,
+};
+use crate::derivation::unit::Unit;
+
+use super::reader::Reader;
+
+impl Reader<'_> {
+    /// Declares what a statement declares; other statements declare nothing.
+    pub(super) fn declare(&mut self, statement: &Statement) -> Result<(), Diagnostic> {
+        match &statement.kind {
+            StatementKind::Parameter {
+                names,
+                unit,
+                sign,
+                description,
+            } => {
+                let unit = Unit::parse(unit)?;
+                for name in names {
+                    let generator = Generator::Constant {
+                        name: name.value.ascii.clone(),
+                    };
+                    self.symbol(
+                        name,
+                        generator,
+                        &unit,
+                        SymbolKind::Parameter,
+                        *sign,
+                        description,
+                    )?;
+                }
+                Ok(())
+            }
+            StatementKind::Angle { names, description } => {
+                for name in names {
+                    let generator = Generator::Angle {
+                        name: name.value.ascii.clone(),
+                    };
+                    self.symbol(
+                        name,
+                        generator,
+                        &Unit::one(),
+                        SymbolKind::Angle,
+                        None,
+                        description,
+                    )?;
+                }
+                Ok(())
+            }
+            StatementKind::Coordinate {
+                names,
+                unit,
+                description,
+            } => {
+                let angular = unit.value.trim() == "rad";
+                let unit = Unit::parse(unit)?;
+                let kind = if angular {
+                    SymbolKind::AngularCoordinate
+                } else {
+                    SymbolKind::Coordinate
+                };
+                for name in names {
+                    let ascii = name.value.ascii.clone();
+                    let generator = Generator::Coordinate {
+                        name: ascii,
+                        order: 0,
+                        angular,
+                    };
+                    self.symbol(name, generator, &unit, kind, None, description)?;
+                }
+                Ok(())
+            }
+            StatementKind::Imaginary { name } => {
+                let generator = Generator::ImaginaryUnit;
+                self.symbol(
+                    name,
+                    generator,
+                    &Unit::one(),
+                    SymbolKind::Imaginary,
+                    None,
+                    &None,
+                )
+            }
+            StatementKind::Function {
+                names,
+                reference,
+                unit,
+                description,
+            } => {
+                let unit = Unit::parse(unit)?;
+                let argument = self.elaborator.scalar(reference)?;
+                for name in names {
+                    let meaning = Meaning::Function {
+                        reference: reference.clone(),
+                        argument: argument.clone(),
+                        unit: unit.clone(),
+                    };
+                    self.elaborator
+                        .scope
+                        .declare(name, meaning, description.clone())?;
+                }
+                Ok(())
+            }
+            StatementKind::Assume { relation, .. } => self.assume(relation, &statement.span),
+            StatementKind::Definition {
+                names,
+                arguments,
+                values,
+            } => self.define(names, arguments, values),
+            StatementKind::Substitution { name, replacements } => {
+                let place = Place::Replacements(replacements.clone());
+                self.elaborator.substitution(&place, &statement.span)?;
+                let meaning = Meaning::Substitution {
+                    replacements: replacements.clone(),
+                    conditions: std::mem::take(&mut self.elaborator.conditions),
+                    sources: Vec::new(),
+                };
+                self.elaborator.scope.declare(name, meaning, None)
+            }
+            StatementKind::Import { .. }
+            | StatementKind::Assertion { .. }
+            | StatementKind::Eigenpair { .. }
+            | StatementKind::Match(_) => Ok(()),
+        }
+    }
+
+    fn symbol(
+        &mut self,
+        name: &Spanned<Name>,
+        generator: Generator,
+        unit: &Unit,
+        kind: SymbolKind,
+        sign: Option<Sign>,
+        description: &Option<String>,
+    ) -> Result<(), Diagnostic> {
+        let ring = &mut self.elaborator.ring;
+        let symbol = ring
+            .symbol(generator)
+            .map_err(|error| algebra(error, &name.span))?;
+        let signs = match sign {
+            None => Signs::ANY,
+            Some(Sign::Positive) => Signs::POSITIVE,
+            Some(Sign::NonNegative) => Signs::NON_NEGATIVE,
+            Some(Sign::NonZero) => Signs::NON_ZERO,
+        };
+        ring.assumptions_mut().assume_symbol(symbol, signs);
+        let meaning = Meaning::Symbol {
+            symbol,
+            unit: unit.clone(),
+            kind,
+        };
+        self.elaborator
+            .scope
+            .declare(name, meaning, description.clone())
+    }
+
+    fn assume(&mut self, relation: &Relation, span: &Span) -> Result<(), Diagnostic> {
+        let left = self.elaborator.scalar(&relation.left)?;
+        let right = self.elaborator.scalar(&relation.right)?;
+        common_unit(&left.unit, &right.unit).map_err(|error| quantity(error, span))?;
+        let signs = match relation.comparison {
+            Comparison::Less => Signs::POSITIVE,
+            Comparison::LessOrEqual => Signs::NON_NEGATIVE,
+            Comparison::Greater => Signs::NEGATIVE,
+            Comparison::GreaterOrEqual => Signs::NON_NEGATIVE.opposite(),
+            Comparison::Equal => {
+                let message = "only inequalities can be assumed";
+                return Err(
+                    Diagnostic::new(DiagnosticKind::Unsupported, span.clone(), message)
+                        .with_label("an equation")
+                        .with_help("define one side by the other with `:=`"),
+                );
+            }
+        };
+        let ring = &mut self.elaborator.ring;
+        let difference = ring.difference(&right.value, &left.value);
+        let difference = difference.map_err(|error| algebra(error, span))?;
+        let below = ring.polynomial_signs(difference.denominator());
+        let below = below.map_err(|error| algebra(error, span))?;
+        if !below.is_positive() {
+            let message = "an assumption must be an inequality between polynomials";
+            return Err(
+                Diagnostic::new(DiagnosticKind::Unsupported, span.clone(), message)
+                    .with_help("multiply it by its denominator, whose sign must be known"),
+            );
+        }
+        let (above, signs) = (difference.numerator().clone(), signs);
+        if signs.negative {
+            ring.assumptions_mut()
+                .assume_polynomial(-&above, signs.opposite());
+        } else {
+            ring.assumptions_mut().assume_polynomial(above, signs);
+        }
+        self.assumptions.push(relation.clone());
+        Ok(())
+    }
+
+    fn define(
+        &mut self,
+        names: &[Spanned<Name>],
+        arguments: &[Spanned<Name>],
+        values: &[Expression],
+    ) -> Result<(), Diagnostic> {
+        for (place, argument) in arguments.iter().enumerate() {
+            if let Some(earlier) = arguments[..place]
+                .iter()
+                .find(|e| e.value == argument.value)
+            {
+                let message = format!("two arguments are called `{}`", argument.value);
+                return Err(Diagnostic::new(
+                    DiagnosticKind::Duplicate,
+                    argument.span.clone(),
+                    message,
+                )
+                .with_label("the same again")
+                .with_secondary(earlier.span.clone(), "the first one")
+                .with_help("give each argument a name of its own"));
+            }
+        }
+        for (name, expression) in names.iter().zip(values) {
+            let meaning = if arguments.is_empty() {
+                self.elaborator.fresh();
+                let value = self.elaborator.value(expression)?;
+                Meaning::Definition {
+                    expression: expression.clone(),
+                    value,
+                    conditions: std::mem::take(&mut self.elaborator.conditions),
+                }
+            } else {
+                Meaning::Template {
+                    arguments: arguments
+                        .iter()
+                        .map(|argument| argument.value.clone())
+                        .collect(),
+                    expression: expression.clone(),
+                }
+            };
+            self.elaborator.scope.declare(name, meaning, None)?;
+        }
+        Ok(())
+    }
+}
