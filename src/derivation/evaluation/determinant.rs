@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::elimination::eliminate;
-use super::number::{Extension, Number};
+use super::number::Number;
+use super::number::extension::Extension;
 
 /// Determinants of larger matrices are not expanded first.
 const MOST_ROWS_TO_EXPAND: usize = 6;

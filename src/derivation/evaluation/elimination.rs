@@ -1,6 +1,7 @@
 //! Gaussian elimination at a point.
 
-use super::number::{Extension, Number};
+use super::number::Number;
+use super::number::extension::Extension;
 
 /// Gaussian elimination on [A | B] with a square A: (|A|, A⁻¹B), the latter where A is invertible.
 ///

@@ -6,7 +6,8 @@ use crate::algebra::number::{Integer, Rational};
 use crate::algebra::sign::Signs;
 use crate::derivation::visit::primed;
 
-use super::number::{Extension, Number};
+use super::number::Number;
+use super::number::extension::Extension;
 
 /// Something that has a value of its own at a point.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -2,7 +2,8 @@
 
 use crate::algebra::number::{Integer, Rational};
 
-use super::number::{Extension, Number};
+use super::number::Number;
+use super::number::extension::Extension;
 use super::point::Tag;
 
 /// A number, and the sum of angles that it is the measure of (at the point itself, nilpotent

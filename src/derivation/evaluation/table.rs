@@ -1,7 +1,8 @@
 //! Matrices of numbers, for evaluation only.
 
 use super::evaluator::Failure;
-use super::number::{Extension, Number};
+use super::number::Number;
+use super::number::extension::Extension;
 use super::sample::Sample;
 
 /// Rows of numbers, all of one length.
