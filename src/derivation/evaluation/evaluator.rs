@@ -4,6 +4,7 @@ mod angle;
 mod built_in;
 mod call;
 mod context;
+mod function;
 mod interpolation;
 mod nilpotent;
 mod operation;
@@ -18,7 +19,7 @@ use crate::derivation::scope::Scope;
 use crate::derivation::syntax::{Expression, Node};
 
 use super::number::Number;
-use super::point::{Key, Point, Size};
+use super::point::{Argument, Key, Point, Size};
 use super::sample::Sample;
 use super::table::{Table, each, numbers, only, single};
 
@@ -94,10 +95,7 @@ impl<'a> Evaluator<'a> {
         order: u32,
     ) -> Result<Vec<Vec<Vec<Number>>>, Failure> {
         self.begin();
-        let keys = small
-            .iter()
-            .map(|name| Key::Symbol((*name).to_string(), 0))
-            .collect();
+        let keys = small.iter().map(|name| self.key_of(name)).collect();
         let parts = self.expansion(expression, keys, order, Context::default())?;
         self.finish()?;
         Ok(parts)
@@ -114,10 +112,18 @@ impl<'a> Evaluator<'a> {
         variable: &str,
     ) -> Result<Vec<Number>, Failure> {
         self.begin();
-        let key = Key::Symbol(variable.to_string(), 0);
+        let key = self.key_of(variable);
         let coefficients = self.interpolation(polynomial, &key, Context::default())?;
         self.finish()?;
         Ok(coefficients)
+    }
+
+    /// The key of something that has a value of its own, by its ASCII name.
+    fn key_of(&self, name: &str) -> Key {
+        match self.scope.kind_of(name) {
+            Some(_) => Key::Symbol(name.to_string(), 0),
+            None => Key::Function(name.to_string(), 0, Argument::Reference),
+        }
     }
 
     fn begin(&mut self) {
@@ -160,7 +166,8 @@ impl<'a> Evaluator<'a> {
             Node::Name(name) => self.named(name, context),
             Node::Derivative(name, order) => {
                 let reference = self.reference(name)?;
-                self.function(name, *order, reference, context.outside_calls())
+                let number = self.function(name, *order, reference, context.outside_calls())?;
+                Ok(single(number))
             }
             Node::Negative(inner) => {
                 let table = self.table(inner, context)?;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::algebra::number::{Integer, Rational};
+use crate::algebra::number::Rational;
 use crate::algebra::sign::Signs;
 use crate::derivation::visit::primed;
 
@@ -47,8 +47,8 @@ pub enum Atom {
     Direction(usize),
 }
 
-/// A sum of angles with whole coefficients, none of them 0.
-pub type Tag = BTreeMap<Atom, Integer>;
+/// A sum of angles with rational coefficients, none of them 0.
+pub type Tag = BTreeMap<Atom, Rational>;
 
 /// How large the numbers of a point are: small ones to show, large ones to trust.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -140,12 +140,13 @@ impl Point {
         pair
     }
 
-    /// (cos, sin) of a sum of angles.
+    /// (cos, sin) of a sum of angles with small whole coefficients.
     pub fn circle_of(&mut self, tag: &Tag) -> Option<(Number, Number)> {
         let mut result = (Number::from(1), Number::from(0));
         for (atom, count) in tag {
             let (cosine, sine) = self.circle(atom);
-            let count = i64::try_from(count)
+            let whole = count.is_int().then(|| count.numerator().clone())?;
+            let count = i64::try_from(whole)
                 .ok()
                 .filter(|count| count.abs() <= 64)?;
             let sine = if count < 0 { sine.negative() } else { sine };
@@ -220,7 +221,7 @@ fn written(tag: &Tag) -> String {
             Atom::Named(name) => name.clone(),
             Atom::Direction(index) => format!("direction {index}"),
         };
-        if *count == Integer::ONE {
+        if *count == Rational::ONE {
             name
         } else {
             format!("{count}*{name}")

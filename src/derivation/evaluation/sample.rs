@@ -1,6 +1,6 @@
 //! Numbers that may be the measures of angles.
 
-use crate::algebra::number::{Integer, Rational};
+use crate::algebra::number::Rational;
 
 use super::number::Number;
 use super::number::extension::Extension;
@@ -29,7 +29,7 @@ impl Sample {
     pub fn negative(&self) -> Self {
         Sample {
             number: self.number.negative(),
-            angle: self.angle.as_ref().map(|tag| multiple(tag, -1)),
+            angle: self.angle.as_ref().map(|tag| multiple(tag, &-Rational::ONE)),
         }
     }
 
@@ -37,7 +37,7 @@ impl Sample {
     pub fn sum(&self, other: &Self) -> Self {
         Sample {
             number: self.number.sum(&other.number),
-            angle: self.angle_plus(other, 1),
+            angle: self.angle_plus(other, &Rational::ONE),
         }
     }
 
@@ -45,20 +45,16 @@ impl Sample {
     pub fn difference(&self, other: &Self) -> Self {
         Sample {
             number: self.number.difference(&other.number),
-            angle: self.angle_plus(other, -1),
+            angle: self.angle_plus(other, &-Rational::ONE),
         }
     }
 
-    /// a·b; whole multiples of an angle are angles.
+    /// a·b; rational multiples of an angle are angles.
     pub fn product(&self, other: &Self, extension: &Extension) -> Self {
-        let whole = |sample: &Sample| sample.number.as_rational().filter(Rational::is_int);
-        let angle = match (whole(self), &other.angle, whole(other), &self.angle) {
-            (Some(k), Some(tag), _, _) | (_, _, Some(k), Some(tag)) => {
-                let k = i64::try_from(k.numerator().clone()).ok();
-                k.map(|k| multiple(tag, k))
-            }
-            _ => None,
+        let scaled = |factor: &Sample, angle: &Sample| {
+            Some(multiple(angle.angle.as_ref()?, &factor.number.as_rational()?))
         };
+        let angle = scaled(self, other).or_else(|| scaled(other, self));
         Sample {
             number: extension.product(&self.number, &other.number),
             angle,
@@ -66,10 +62,10 @@ impl Sample {
     }
 
     /// The angle a + k·b.
-    fn angle_plus(&self, other: &Self, k: i64) -> Option<Tag> {
+    fn angle_plus(&self, other: &Self, k: &Rational) -> Option<Tag> {
         let mut tag = self.angle.clone()?;
         for (atom, count) in multiple(other.angle.as_ref()?, k) {
-            *tag.entry(atom).or_insert(Integer::ZERO) += count;
+            *tag.entry(atom).or_insert(Rational::ZERO) += count;
         }
         tag.retain(|_, count| !count.is_zero());
         Some(tag)
@@ -77,10 +73,9 @@ impl Sample {
 }
 
 /// k·a of a sum of angles.
-fn multiple(tag: &Tag, k: i64) -> Tag {
-    let factor = Integer::from(k);
+fn multiple(tag: &Tag, k: &Rational) -> Tag {
     tag.iter()
-        .map(|(atom, count)| (atom.clone(), count * &factor))
+        .map(|(atom, count)| (atom.clone(), count * k))
         .filter(|(_, count)| !count.is_zero())
         .collect()
 }

@@ -1,6 +1,6 @@
 //! Angles at a point: their sines and cosines, and the angles of vectors.
 
-use crate::algebra::number::{Integer, Rational};
+use crate::algebra::number::Rational;
 use crate::derivation::evaluation::number::Number;
 use crate::derivation::evaluation::point::{Atom, Key, Tag};
 use crate::derivation::evaluation::sample::Sample;
@@ -15,7 +15,7 @@ impl Evaluator<'_> {
         let (cosine, sine) = self
             .point
             .circle_of(tag)
-            .ok_or("too large a multiple of an angle")?;
+            .ok_or("not a small whole multiple of an angle")?;
         let step = angle.number.step();
         let extension = &self.point.extension;
         let (mut even, mut odd) = (Number::from(1), Number::default());
@@ -80,7 +80,7 @@ impl Evaluator<'_> {
                 Atom::Direction(index) => format!("direction {index}"),
             };
             let measure = self.point.value(&Key::Symbol(name, 0));
-            sum.sum(&measure.scale(&Rational::from(count.clone())))
+            sum.sum(&measure.scale(count))
         });
         Ok(Sample {
             number,
@@ -98,11 +98,11 @@ impl Evaluator<'_> {
             if self.is_angular(&entry.name.ascii) {
                 let atom = Atom::Named(entry.name.ascii.clone());
                 if self.point.circle(&atom) == (cosine.clone(), sine.clone()) {
-                    return Ok(Tag::from([(atom, Integer::ONE)]));
+                    return Ok(Tag::from([(atom, Rational::ONE)]));
                 }
             }
         }
         let atom = self.point.direction(cosine, sine);
-        Ok(Tag::from([(atom, Integer::ONE)]))
+        Ok(Tag::from([(atom, Rational::ONE)]))
     }
 }

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use crate::algebra::number::{Integer, Rational};
+use crate::algebra::number::Rational;
 use crate::derivation::evaluation::point::{Atom, Key, Tag};
 use crate::derivation::evaluation::sample::Sample;
-use crate::derivation::evaluation::table::Table;
+use crate::derivation::evaluation::table::{Table, single};
 use crate::derivation::scope::{Entry, Meaning, SymbolKind};
 use crate::derivation::syntax::Name;
 
@@ -53,7 +53,9 @@ impl<'a> Evaluator<'a> {
                 let key = Key::Symbol(name.ascii.clone(), 0);
                 Ok(vec![vec![self.look_up(&key, context.surrounding)?]])
             }
-            Meaning::Function { reference, .. } => self.function(name, 0, reference, context),
+            Meaning::Function { reference, .. } => {
+                Ok(single(self.function(name, 0, reference, context)?))
+            }
             Meaning::Definition { expression, .. } => self.table(expression, context),
             _ => Err(format!("{name} is no value")),
         }
@@ -115,7 +117,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// The value of something free at the point itself.
-    fn free(&mut self, key: &Key) -> Result<Sample, Failure> {
+    pub(super) fn free(&mut self, key: &Key) -> Result<Sample, Failure> {
         let number = match key {
             Key::Symbol(name, 0) if self.is_imaginary(name) => {
                 let unit = self.point.extension.adjoin(-Rational::ONE);
@@ -126,7 +128,7 @@ impl<'a> Evaluator<'a> {
         let angle = match key {
             Key::Symbol(name, 0) if self.is_angular(name) => {
                 let atom = Atom::Named(name.clone());
-                Some(Tag::from([(atom, Integer::ONE)]))
+                Some(Tag::from([(atom, Rational::ONE)]))
             }
             _ => None,
         };
