@@ -26,19 +26,19 @@ const SIZES: [usize; 5] = [2, 3, 4, 5, 6];
 #[divan::bench]
 fn section(bencher: Bencher) {
     let pencil = Pencil::section(Circle::Free);
-    bencher.bench(|| black_box(&pencil).coefficients());
+    bencher.bench_local(|| black_box(&pencil).coefficients());
 }
 
 /// The same as documents compute it: every product folded by sin² + cos² = 1.
 #[divan::bench]
 fn section_folded(bencher: Bencher) {
     let pencil = Pencil::section(Circle::Folded);
-    bencher.bench(|| black_box(&pencil).coefficients());
+    bencher.bench_local(|| black_box(&pencil).coefficients());
 }
 
 /// A symbol in every entry of M, C and K.
 #[divan::bench(args = SIZES)]
 fn symbolic(bencher: Bencher, size: usize) {
     let pencil = Pencil::symbolic(size);
-    bencher.bench(|| black_box(&pencil).coefficients());
+    bencher.bench_local(|| black_box(&pencil).coefficients());
 }

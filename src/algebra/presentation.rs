@@ -190,6 +190,7 @@ impl Ring {
             return Ok(signs);
         }
         signs = signs.intersection(assumptions.of_terms(&self.shorten(polynomial)?));
+        signs = signs.intersection(self.signs_by_squares(polynomial)?);
         for (known, known_signs) in assumptions.polynomials() {
             if signs != Signs::ANY {
                 break;
@@ -200,6 +201,19 @@ impl Ring {
                 signs = known_signs.opposite();
             } else if let Some(shifted) = self.shift(polynomial, known, *known_signs)? {
                 signs = assumptions.of_terms(&self.shorten(&shifted)?);
+            }
+        }
+        Ok(signs)
+    }
+
+    /// The signs that the terms of a polynomial allow, with the cosines or the sines of each angle squared
+    /// away.
+    fn signs_by_squares(&self, polynomial: &Polynomial) -> Result<Signs, AlgebraError> {
+        let mut signs = Signs::ANY;
+        for BasisAngle { cosine, sine, .. } in self.basis() {
+            if polynomial.degree_in(*cosine) > 1 {
+                let other = self.fold_square(polynomial, *cosine, *sine)?;
+                signs = signs.intersection(self.assumptions().of_terms(&other));
             }
         }
         Ok(signs)

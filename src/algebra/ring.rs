@@ -129,7 +129,10 @@ impl Ring {
 
     /// Whether a polynomial is at most linear in every symbol whose square is known.
     pub(super) fn is_reduced(&self, polynomial: &Polynomial) -> bool {
-        let mut factors = polynomial.terms().iter().flat_map(|(monomial, _)| monomial.factors());
+        let mut factors = polynomial
+            .terms()
+            .iter()
+            .flat_map(|(monomial, _)| monomial.factors());
         factors.all(|(symbol, exponent)| exponent < 2 || !self.generator(symbol).is_quadratic())
     }
 
@@ -271,6 +274,35 @@ impl Ring {
             denominator = self.reduce(&denominator.multiply(&conjugate, &self.budget)?)?;
         }
         Fraction::new(numerator, denominator, &self.budget)
+    }
+
+    /// p² + q² of a polynomial p + q i with real p and q, which is 0 exactly where the polynomial is;
+    /// the polynomial itself where it does not contain i.
+    ///
+    /// Complexity: two products.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::Exhausted`] where the budget or a polynomial's size runs out.
+    pub fn norm(&self, polynomial: &Polynomial) -> Result<Polynomial, AlgebraError> {
+        let imaginary = |generator: &Generator| *generator == Generator::ImaginaryUnit;
+        let Some(symbol) = self.last_symbol(polynomial, 1, imaginary) else {
+            return Ok(polynomial.clone());
+        };
+        let parts = polynomial.coefficients_in(symbol);
+        let mut sum = Polynomial::zero();
+        for part in parts.values() {
+            sum = &sum + &part.multiply(part, &self.budget)?;
+        }
+        self.reduce(&sum)
+    }
+
+    /// What stands under the root that a polynomial is, if it is one.
+    pub fn radicand(&self, polynomial: &Polynomial) -> Option<&Polynomial> {
+        match self.generator(self.as_symbol(&Fraction::from(polynomial.clone()))?) {
+            Generator::Root { radicand } => Some(radicand),
+            _ => None,
+        }
     }
 
     /// The symbol as an element.

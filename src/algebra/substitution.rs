@@ -91,7 +91,8 @@ impl Ring {
         let mut value = self.zero();
         let mut reached = coefficients.keys().last().copied().unwrap_or(0);
         for (exponent, coefficient) in coefficients.iter().rev() {
-            let lowered = self.product(&value, &self.power(image, i64::from(reached - exponent))?)?;
+            let lowered =
+                self.product(&value, &self.power(image, i64::from(reached - exponent))?)?;
             value = self.sum(&lowered, &self.horner(coefficient, others)?)?;
             reached = *exponent;
         }

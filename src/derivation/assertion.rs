@@ -13,14 +13,10 @@ use super::diagnostic::{Diagnostic, DiagnosticKind};
 use super::elaboration::Elaborator;
 use super::elaboration::error::algebra;
 use super::elaboration::limit::check_order;
-use super::foundation::Foundation;
 use super::quantity::{Value, common_unit};
 use super::syntax::{Comparison, Expectation, Expression, Label, Order, Relation, Span};
 use super::unit::Unit;
-use super::verdict::{Condition, Explanation};
-
-/// Longer normal forms are not shown with a verdict.
-const MOST_TERMS_TO_SHOW: usize = 100;
+use super::verdict::Condition;
 
 /// An assertion as the document makes it.
 #[derive(Clone, Debug)]
@@ -52,9 +48,9 @@ pub struct Finding {
     pub(super) conditions: Vec<Condition>,
     /// Of an approximation, the leading term of left − right.
     pub(super) residual: Option<Expression>,
-    /// How it was found.
-    pub(super) explanation: Explanation,
-    /// The names under which a point lists the values that both sides are made of.
+    /// The normal forms of both sides; nothing where they cannot be compared.
+    pub(super) sides: Option<(Value, Value)>,
+    /// Of what may be refuted, the names under which a point lists the values of both sides.
     pub(super) names: BTreeSet<String>,
 }
 
@@ -103,7 +99,7 @@ impl Elaborator {
                     outcome: Outcome::IllFormed(reason),
                     conditions: Vec::new(),
                     residual: None,
-                    explanation: Explanation::default(),
+                    sides: None,
                     names: BTreeSet::new(),
                 });
             }
@@ -122,8 +118,10 @@ impl Elaborator {
             ),
         };
         let needed = std::mem::take(&mut self.conditions);
-        let explanation = self.explanation(assertion, &left, &right)?;
-        let names = self.value_names([&left, &right], span)?;
+        let names = match outcome {
+            Outcome::Different(_) | Outcome::Open => self.value_names([&left, &right], span)?,
+            _ => BTreeSet::new(),
+        };
         Ok(Finding {
             assertion: assertion.clone(),
             outcome,
@@ -131,7 +129,7 @@ impl Elaborator {
             residual: residual
                 .map(|residual| self.present(&residual, span))
                 .transpose()?,
-            explanation,
+            sides: Some((left, right)),
             names,
         })
     }
@@ -196,39 +194,5 @@ impl Elaborator {
             })
         };
         conditions.iter().map(present).collect()
-    }
-
-    fn explanation(
-        &self,
-        assertion: &Assertion,
-        left: &Value,
-        right: &Value,
-    ) -> Result<Explanation, Diagnostic> {
-        let Relation {
-            left: a, right: b, ..
-        } = &assertion.relation;
-        let definitions = Foundation::of(&self.scope, [a, b]);
-        let present = |value: &Value| -> Result<Vec<Option<Expression>>, Diagnostic> {
-            let entries = value.entries().iter().map(|entry| {
-                let terms = entry.value.numerator().len() + entry.value.denominator().len();
-                let short = (terms <= MOST_TERMS_TO_SHOW).then_some(&entry.value);
-                short
-                    .map(|value| self.present(value, &assertion.span))
-                    .transpose()
-            });
-            entries.collect()
-        };
-        let unit = left
-            .entries()
-            .iter()
-            .chain(right.entries())
-            .find_map(|entry| entry.unit.clone());
-        Ok(Explanation {
-            definitions,
-            left: present(left)?,
-            right: present(right)?,
-            unit: unit.map(|unit| unit.to_string()),
-            points: 0,
-        })
     }
 }

@@ -5,6 +5,8 @@ mod import;
 mod reader;
 
 use super::diagnostic::{Diagnostic, SourceFile};
+use super::elaboration::Elaborator;
+use super::explanation::Explanation;
 use super::judge::Judge;
 use super::matching::Matched;
 use super::verdict::Claim;
@@ -25,7 +27,7 @@ pub trait Library {
 }
 
 /// What became of a document.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Audit {
     /// How the document is called.
     pub path: String,
@@ -35,12 +37,18 @@ pub struct Audit {
     pub claims: Vec<Claim>,
     /// Its matchings, in order.
     pub matchings: Vec<Matched>,
+    elaborator: Elaborator,
 }
 
 impl Audit {
     /// Whether every verdict is the one that the author expects.
     pub fn as_expected(&self) -> bool {
         self.claims.iter().all(Claim::as_expected)
+    }
+
+    /// How the verdict on one of its claims was reached.
+    pub fn explain(&self, claim: &Claim) -> Explanation {
+        self.elaborator.explain(claim)
     }
 }
 
@@ -76,6 +84,7 @@ pub fn audit(source: &SourceFile, library: &dyn Library) -> Result<Audit, Box<Re
         title: read.title,
         claims,
         matchings: read.matchings,
+        elaborator: reader.elaborator,
     })
 }
 

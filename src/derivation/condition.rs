@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::algebra::error::AlgebraError;
 use crate::algebra::fraction::Fraction;
+use crate::algebra::number::Rational;
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::ring::Ring;
 use crate::algebra::substitution::Substitution;
@@ -40,7 +41,7 @@ impl Conditions {
         self.required.extend(others.required.iter().cloned());
     }
 
-    /// Requires that an element is not 0, factor by factor.
+    /// Requires that an element is not 0, factor by factor; a root is 0 where its radicand is.
     ///
     /// # Errors
     ///
@@ -51,14 +52,17 @@ impl Conditions {
         ring: &Ring,
     ) -> Result<(), AlgebraError> {
         for (factor, exponent) in ring.factored(element)?.factors {
-            if exponent > 0 && !ring.polynomial_signs(&factor)?.is_non_zero() {
-                self.required.insert((Requirement::NonZero, factor));
+            if exponent > 0 && !ring.polynomial_signs(&ring.norm(&factor)?)?.is_non_zero() {
+                match ring.radicand(&factor) {
+                    Some(radicand) => self.require_non_zero(&radicand.clone().into(), ring)?,
+                    None => drop(self.required.insert((Requirement::NonZero, factor))),
+                }
             }
         }
         Ok(())
     }
 
-    /// Requires that an element is above 0.
+    /// Requires that an element is above 0, without the factors whose signs are known.
     ///
     /// # Errors
     ///
@@ -68,13 +72,26 @@ impl Conditions {
         element: &Fraction,
         ring: &Ring,
     ) -> Result<(), AlgebraError> {
-        if !ring.signs(element)?.is_positive() {
-            let product = element
-                .numerator()
-                .multiply(element.denominator(), ring.budget())?;
-            self.required
-                .insert((Requirement::Positive, ring.shorten(&product)?));
+        if ring.signs(element)?.is_positive() {
+            return Ok(());
         }
+        let factored = ring.factored(element)?;
+        let mut rest = match factored.coefficient < Rational::ZERO {
+            true => -&Polynomial::one(),
+            false => Polynomial::one(),
+        };
+        for (factor, exponent) in factored.factors {
+            let signs = ring.polynomial_signs(&factor)?;
+            if exponent % 2 == 0 {
+                self.require_non_zero(&factor.into(), ring)?;
+            } else if signs.opposite().is_positive() {
+                rest = -&rest;
+            } else if !signs.is_positive() {
+                rest = rest.multiply(&factor, ring.budget())?;
+            }
+        }
+        self.required
+            .insert((Requirement::Positive, ring.shorten(&ring.reduce(&rest)?)?));
         Ok(())
     }
 

@@ -24,7 +24,7 @@ use super::scope::{Meaning, Scope};
 use super::syntax::{Expression, Name, Node, Span, Spanned};
 use super::unit::small_integer;
 
-use error::{algebra, shape};
+use error::{algebra, different, shape};
 use limit::{MOST_PARTS, MOST_ROWS, check_nesting, check_terms};
 
 /// Turns expressions into elements of its ring, with units, and collects the conditions under which
@@ -153,8 +153,10 @@ impl Elaborator {
         self.symbol(&quantity, &name.span)
     }
 
-    /// The symbols of variables that are given by name.
+    /// The symbols of variables that are given by name, each of them once.
     pub(super) fn variables(&mut self, names: &[Spanned<Name>]) -> Result<Vec<Symbol>, Diagnostic> {
+        let written = |name: &Spanned<Name>| (name.value.to_string(), name.span.clone());
+        different(&names.iter().map(written).collect::<Vec<_>>())?;
         names.iter().map(|name| self.variable(name)).collect()
     }
 

@@ -7,7 +7,7 @@ mod polynomial;
 
 use super::diagnostic::{Diagnostic, DiagnosticKind, nearest};
 use super::elaboration::Elaborator;
-use super::elaboration::error::argument_count;
+use super::elaboration::error::{argument_count, shape};
 use super::elaboration::matrix::identity;
 use super::quantity::Value;
 use super::syntax::{Expression, Name, Span};
@@ -92,6 +92,11 @@ impl Elaborator {
             }
             ("det", [matrix]) => {
                 let matrix = self.square(matrix)?;
+                if matrix.shape() == (1, 1) {
+                    return Err(shape(span, "a determinant is that of a matrix".into())
+                        .with_label("this is a single number")
+                        .with_help("for an absolute value write `sqrt((…)^2)`"));
+                }
                 Ok(self.determinant(&matrix, span)?.scalar())
             }
             ("adjugate", [matrix]) => {

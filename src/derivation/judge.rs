@@ -32,6 +32,12 @@ const LARGE: Size = Size {
     denominator: 1,
 };
 
+/// Numbers on both sides of 1, for assumptions that whole numbers do not satisfy.
+const MIXED: Size = Size {
+    numerator: 1_000,
+    denominator: 1_000,
+};
+
 /// Numbers small enough to check by hand; later ones are larger.
 const SMALL: [Size; 3] = [
     Size {
@@ -89,8 +95,10 @@ impl<'a> Judge<'a> {
     fn checkpoint(&mut self, count: usize) -> Option<&mut Evaluator<'a>> {
         while self.large.len() <= count {
             let next = self.large.len() as u64;
-            let found = (0..MOST_ATTEMPTS)
-                .find_map(|attempt| self.evaluator(next * MOST_ATTEMPTS + attempt, LARGE));
+            let found = (0..MOST_ATTEMPTS).find_map(|attempt| {
+                let size = if attempt % 4 == 0 { LARGE } else { MIXED };
+                self.evaluator(next * MOST_ATTEMPTS + attempt, size)
+            });
             self.large.push(found?);
         }
         self.large.get_mut(count)
@@ -102,7 +110,10 @@ impl<'a> Judge<'a> {
         &mut self,
         mut check: impl FnMut(&mut Evaluator<'a>) -> Result<Result<(), String>, Diagnostic>,
     ) -> Result<Result<usize, String>, Diagnostic> {
-        let (mut passed, mut reason) = (0, "no point satisfies the assumptions".to_string());
+        let (mut passed, mut reason) = (
+            0,
+            "no point was found that satisfies the assumptions".to_string(),
+        );
         for count in 0..MOST_CHECKPOINTS {
             let Some(evaluator) = self.checkpoint(count) else {
                 break;
@@ -122,8 +133,9 @@ impl<'a> Judge<'a> {
     fn candidates(&mut self, count: usize) -> Option<&mut Evaluator<'a>> {
         while self.small.len() <= count {
             let next = self.small.len() as u64;
-            let size = SMALL[(next as usize / 40).min(SMALL.len() - 1)];
             let found = (0..MOST_ATTEMPTS).find_map(|attempt| {
+                let larger = next / 40 + attempt / 100;
+                let size = SMALL[(larger as usize).min(SMALL.len() - 1)];
                 self.evaluator(1_000_000 + next * MOST_ATTEMPTS + attempt, size)
             });
             self.small.push(found?);
@@ -145,7 +157,7 @@ impl<'a> Judge<'a> {
             }
             Outcome::True | Outcome::TrueToOrder => match self.confirm(finding)? {
                 Ok(points) => {
-                    claim.explanation.points = points;
+                    claim.points = points;
                     claim.verdict = verdict_on_truth(finding);
                     if claim.verdict == Verdict::Approximate {
                         claim.neglected = beyond_order(&finding.assertion);
@@ -200,7 +212,8 @@ fn undecided(finding: &Finding) -> Claim {
         residual: finding.residual.clone(),
         witness: None,
         reason: None,
-        explanation: finding.explanation.clone(),
+        sides: finding.sides.clone(),
+        points: 0,
     }
 }
 

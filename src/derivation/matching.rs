@@ -15,9 +15,9 @@ use crate::algebra::symbol::Symbol;
 
 use super::diagnostic::{Diagnostic, DiagnosticKind};
 use super::elaboration::Elaborator;
-use super::elaboration::error::{algebra, units};
+use super::elaboration::error::{algebra, different, units};
 use super::foundation::Foundation;
-use super::syntax::{Expression, Label, Matching, Name, Span, Spanned};
+use super::syntax::{Expression, Label, Matching, Name, Spanned};
 
 /// What a matching found.
 #[derive(Clone, Debug)]
@@ -180,16 +180,8 @@ impl Elaborator {
 
     /// The coefficients of both polynomials, which must have equal units.
     fn coefficients_to_match(&mut self, matching: &Matching) -> Result<Coefficients, Diagnostic> {
-        let names = |names: &[Spanned<Name>]| {
-            names
-                .iter()
-                .map(|name| (name.value.to_string(), name.span.clone()))
-                .collect()
-        };
-        different(names(&matching.unknowns))?;
-        different(names(&matching.small))?;
         let power = |power: &Spanned<u32>| (format!("power {}", power.value), power.span.clone());
-        different(matching.powers.iter().map(power).collect())?;
+        different(&matching.powers.iter().map(power).collect::<Vec<_>>())?;
         let variable = self.variable(&matching.variable)?;
         let unknowns = self.variables(&matching.unknowns)?;
         if let Some(place) = unknowns.iter().position(|unknown| *unknown == variable) {
@@ -215,20 +207,4 @@ impl Elaborator {
             small,
         })
     }
-}
-
-/// Requires that nothing is named twice.
-fn different(things: Vec<(String, Span)>) -> Result<(), Diagnostic> {
-    for (place, (thing, span)) in things.iter().enumerate() {
-        if let Some((_, earlier)) = things[..place].iter().find(|(known, _)| known == thing) {
-            let message = format!("`{thing}` is named twice");
-            return Err(
-                Diagnostic::new(DiagnosticKind::Duplicate, span.clone(), message)
-                    .with_label("the same again")
-                    .with_secondary(earlier.clone(), "the first one")
-                    .with_help("name it once"),
-            );
-        }
-    }
-    Ok(())
 }

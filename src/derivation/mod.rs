@@ -9,6 +9,7 @@ pub mod diagnostic;
 pub mod document;
 pub mod elaboration;
 pub mod evaluation;
+pub mod explanation;
 pub mod expression_parser;
 mod foundation;
 pub mod function;

@@ -3,6 +3,7 @@
 use crate::algebra::number::Rational;
 
 use super::condition::Requirement;
+use super::quantity::Value;
 use super::syntax::{Expectation, Expression, Label, Name, Relation};
 
 /// What the engine found of an assertion.
@@ -59,30 +60,17 @@ pub struct Condition {
 /// A point at which two sides differ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Witness {
-    /// ASCII expressions such as `m` or `cos(alpha_0)`, and their values.
-    pub point: Vec<(String, Rational)>,
+    /// Expressions such as `m` or `cos(α_0)`, and their values.
+    pub point: Vec<(Expression, Rational)>,
+    /// Of an approximation, the degree in the small quantities of the terms that differ; the sides
+    /// are these terms.
+    pub degree: Option<u32>,
     /// The row and column, counted from 1, at which two matrices differ.
     pub entry: Option<(usize, usize)>,
     /// The left side there, exactly.
     pub left: String,
     /// The right side there, exactly.
     pub right: String,
-}
-
-/// How a verdict was reached.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Explanation {
-    /// The definitions that the assertion rests on, left and right of `:=`, each before those that
-    /// use it.
-    pub definitions: Vec<(Expression, Expression)>,
-    /// The normal forms of the left side, entry by entry; nothing for one too long to read.
-    pub left: Vec<Option<Expression>>,
-    /// The normal forms of the right side, entry by entry; nothing for one too long to read.
-    pub right: Vec<Option<Expression>>,
-    /// The unit of the first entry of both sides.
-    pub unit: Option<String>,
-    /// At how many random points both sides were compared.
-    pub points: usize,
 }
 
 /// An assertion of a document and what became of it.
@@ -110,8 +98,10 @@ pub struct Claim {
     pub witness: Option<Witness>,
     /// Why an assertion is ill-formed or undecided.
     pub reason: Option<String>,
-    /// How the verdict was reached.
-    pub explanation: Explanation,
+    /// The normal forms of both sides; nothing where they cannot be compared.
+    pub sides: Option<(Value, Value)>,
+    /// At how many random points both sides were compared and found equal.
+    pub points: usize,
 }
 
 impl Claim {

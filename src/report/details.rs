@@ -1,9 +1,7 @@
 //! What stands below a verdict: its conditions, what it neglects, where it fails, and why.
 
-use std::collections::BTreeMap;
-
 use crate::derivation::notation::Notation;
-use crate::derivation::syntax::{Comparison, Expression, Name, Node};
+use crate::derivation::syntax::Comparison;
 use crate::derivation::verdict::{Claim, Verdict, Witness};
 
 use super::phrase::Phrase;
@@ -61,7 +59,7 @@ pub fn details(claim: &Claim, notation: Notation, extent: Extent) -> Vec<Detail>
         details.push(Detail::new("leading term", phrase));
     }
     if let Some(witness) = &claim.witness {
-        details.push(point(claim, witness, notation, extent));
+        details.push(point(witness, notation, extent));
     }
     if let Some(reason) = &claim.reason {
         details.push(Detail::new("because", Phrase::of_words(reason)));
@@ -78,7 +76,7 @@ pub fn neglected(claim: &Claim, notation: Notation) -> Option<Phrase> {
 
 /// How the verdict was reached, in a sentence without a full stop.
 pub fn route(claim: &Claim) -> String {
-    let points = words::counted(claim.explanation.points, "random point");
+    let points = words::counted(claim.points, "random point");
     let points = format!("exact evaluation at {points} of the relations");
     match claim.verdict {
         Verdict::Holds | Verdict::HoldsWhere if claim.statement.comparison == Comparison::Equal => {
@@ -101,16 +99,15 @@ pub fn route(claim: &Claim) -> String {
 }
 
 /// `m = 2, cos(α_0) = 3/5: left 7/2, right 0`
-fn point(claim: &Claim, witness: &Witness, notation: Notation, extent: Extent) -> Detail {
+fn point(witness: &Witness, notation: Notation, extent: Extent) -> Detail {
     let most = match extent {
         Extent::Overview => MOST_COORDINATES,
         Extent::Full => usize::MAX,
     };
-    let known = known_names(claim);
-    let coordinates = witness.point.iter().take(most).map(|(name, value)| {
-        let name = notation.expression(&coordinate(name, &known));
-        format!("{name} = {}", notation.number(value))
-    });
+    let coordinates =
+        witness.point.iter().take(most).map(|(name, value)| {
+            format!("{} = {}", notation.expression(name), notation.number(value))
+        });
     let mut phrase = Phrase::default().list(coordinates, ", ");
     let is_shortened = witness.point.len() > most;
     if is_shortened {
@@ -123,6 +120,9 @@ fn point(claim: &Claim, witness: &Witness, notation: Notation, extent: Extent) -
     });
     if let Some((row, column)) = witness.entry {
         phrase = phrase.words(format!("entry [{row}, {column}] is "));
+    }
+    if let Some(degree) = witness.degree {
+        phrase = phrase.words(format!("terms of order {degree}: "));
     }
     let phrase = phrase
         .words("left ")
@@ -148,84 +148,9 @@ fn value(ascii: &str, notation: Notation) -> String {
     }
 }
 
-/// The names that a claim rests on, by their ASCII spelling.
-fn known_names(claim: &Claim) -> BTreeMap<String, Name> {
-    let explanation = &claim.explanation;
-    let normal_forms = explanation.left.iter().chain(&explanation.right).flatten();
-    let definitions = explanation
-        .definitions
-        .iter()
-        .map(|(_, definition)| definition);
-    let mut known = BTreeMap::new();
-    for expression in normal_forms
-        .chain(definitions)
-        .chain([&claim.statement.left, &claim.statement.right])
-    {
-        expression.visit_names(&mut |name| {
-            known.insert(name.ascii.clone(), name.clone());
-        });
-    }
-    known
-}
-
-/// The expression that a point lists a value for: `m`, `cos(alpha_0)`, `dt(x)`, `dC_D`.
-fn coordinate(ascii: &str, known: &BTreeMap<String, Name>) -> Expression {
-    for function in ["cos", "sin", "dt"] {
-        let inner = ascii
-            .strip_prefix(function)
-            .and_then(|rest| rest.strip_prefix('('));
-        if let Some(inner) = inner.and_then(|rest| rest.strip_suffix(')')) {
-            let arguments = vec![coordinate(inner, known)];
-            return Expression::call(Name::new(function), 0, arguments);
-        }
-    }
-    if let Some(name) = known.get(ascii) {
-        return Expression::name(name.clone());
-    }
-    // `dC_D` and `d2C_D` are derivatives unless the document declares something that is called so.
-    if let Some(primed) = ascii.strip_prefix('d') {
-        let name = primed.trim_start_matches(|digit: char| digit.is_ascii_digit());
-        let order = primed
-            .strip_suffix(name)
-            .filter(|digits| !digits.is_empty());
-        let order = order.map_or(Some(1), |digits| digits.parse().ok());
-        if let (Some(name), Some(order)) = (known.get(name), order) {
-            return Expression::made(Node::Derivative(name.clone(), order));
-        }
-    }
-    Expression::name(Name::new(ascii))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn coordinates_are_shown_as_the_document_writes_them() {
-        let names = [
-            Name::with_ascii("S_xθ", "S_xt"),
-            Name::new("C_D"),
-            Name::new("d_1"),
-        ];
-        let known = names
-            .into_iter()
-            .map(|name| (name.ascii.clone(), name))
-            .collect();
-        for (ascii, expected) in [
-            ("m", "m"),
-            ("S_xt", "S_xθ"),
-            ("cos(alpha_0)", "cos(α_0)"),
-            ("dt(x)", "ẋ"),
-            ("dt(dt(theta_d))", "θ̈_d"),
-            ("dC_D", "C_D′"),
-            ("d2C_D", "C_D″"),
-            ("d_1", "d_1"),
-            ("d", "d"),
-        ] {
-            let shown = Notation::Unicode.expression(&coordinate(ascii, &known));
-            assert_eq!(shown, expected);
-        }
-    }
 
     #[test]
     fn values_with_roots_are_shown_in_every_notation() {

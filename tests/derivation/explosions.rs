@@ -38,6 +38,17 @@ fn calls_of_calls_are_evaluated_once() {
 }
 
 #[test]
+fn nested_coefficients_are_taken_once() {
+    let (calls, ends) = ("coefficient(".repeat(40), ", x, 0)".repeat(40));
+    let claim = format!("parameter x : 1\nclaim (1): {calls}x + 1{ends} == 1");
+    assert_eq!(
+        outcome(&claim),
+        "undecided",
+        "by points it would take too long"
+    );
+}
+
+#[test]
 fn long_chains_of_definitions_do_not_overflow_the_stack() {
     let mut text = "parameter x : 1\na_0 := x\n".to_string();
     for n in 1..3000 {

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use proptest::prelude::*;
 use sextic::algebra::number::Rational;
 use sextic::derivation::expression_parser::parse_expression;
+use sextic::derivation::notation::Notation;
 use sextic::derivation::syntax::{BinaryOperator, Expression, Node};
 use sextic::derivation::verdict::Verdict;
 
@@ -129,7 +130,8 @@ proptest! {
         };
         prop_assert_eq!(claim.verdict, Verdict::Refuted);
         // What the normal forms do not contain is not listed and may have any value.
-        let mut point: BTreeMap<String, Rational> = witness.point.iter().cloned().collect();
+        let named = |(name, value): &(_, Rational)| (Notation::Ascii.expression(name), value.clone());
+        let mut point: BTreeMap<String, Rational> = witness.point.iter().map(named).collect();
         for name in ["p", "q", "x", "y"] {
             point.entry(name.into()).or_insert(Rational::from(7));
         }

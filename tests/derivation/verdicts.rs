@@ -8,7 +8,7 @@ use sextic::derivation::verdict::{Claim, Verdict};
 
 use super::{Folder, audit_in, data};
 
-/// A claim in one line, with its conditions and its reason.
+/// A claim in one line, with its conditions, its counterexample and its reason.
 fn line(claim: &Claim) -> String {
     let mut line = format!("{}: {}", claim.label.text, claim.verdict.text());
     for condition in &claim.conditions {
@@ -23,6 +23,14 @@ fn line(claim: &Claim) -> String {
     }
     if let Some(residual) = &claim.residual {
         line += &format!("; leading {}", Notation::Unicode.expression(residual));
+    }
+    if let Some(witness) = &claim.witness {
+        let coordinates = witness.point.iter().map(|(name, value)| {
+            format!("{} = {value}", Notation::Unicode.expression(name))
+        });
+        let coordinates: Vec<String> = coordinates.collect();
+        let sides = format!("{} against {}", witness.left, witness.right);
+        line += &format!("; {sides} at {}", coordinates.join(", "));
     }
     if let Some(reason) = &claim.reason {
         line += &format!(" ({reason})");

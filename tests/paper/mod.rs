@@ -55,7 +55,7 @@ fn verdict_lines(claim: &Claim) -> String {
         let point = witness
             .point
             .iter()
-            .map(|(name, value)| format!("{name}={value}"));
+            .map(|(name, value)| format!("{}={value}", Notation::Ascii.expression(name)));
         let point: Vec<String> = point.collect();
         let entry = witness
             .entry

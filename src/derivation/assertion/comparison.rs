@@ -1,5 +1,7 @@
 //! Comparisons of the first route: equal normal forms, leading terms, signs.
 
+use std::collections::BTreeSet;
+
 use crate::algebra::fraction::Fraction;
 use crate::algebra::generator::Generator;
 use crate::algebra::sign::Signs;
@@ -14,36 +16,50 @@ use super::Outcome;
 /// How far beyond the stated order the leading term of a residual is looked for.
 const RESIDUAL_ORDERS: u32 = 3;
 
+/// Why different normal forms do not refute an equation.
+const DIRECTION: &str =
+    "the difference contains the angle of a vector, which may be one of the other angles";
+
 impl Elaborator {
     /// Whether all differences are 0.
     pub(super) fn compare(&self, differences: &[Fraction]) -> Outcome {
         if differences.iter().all(Fraction::is_zero) {
             return Outcome::True;
         }
-        let symbols = differences
-            .iter()
-            .flat_map(|difference| difference.numerator().symbols());
-        if symbols
-            .into_iter()
-            .any(|symbol| self.rests_on_direction(symbol))
-        {
-            return Outcome::Unresolved(
-                "the difference contains the angle of a vector, which may be one of the other angles",
-            );
+        match self.rests_on_direction(differences) {
+            true => Outcome::Unresolved(DIRECTION),
+            false => Outcome::Different(None),
         }
-        Outcome::Different(None)
     }
 
-    /// Whether a symbol is the angle of a vector, or the value of a function at one.
-    fn rests_on_direction(&self, symbol: Symbol) -> bool {
-        let is_direction =
-            |symbol| matches!(self.ring.generator(symbol), Generator::Direction { .. });
-        match self.ring.generator(symbol) {
-            Generator::FunctionValue { argument, .. } => {
-                argument.numerator().symbols().into_iter().any(is_direction)
+    /// Whether the angle of a vector occurs in elements: it may be one of the other angles.
+    fn rests_on_direction(&self, elements: &[Fraction]) -> bool {
+        let symbols = self.constituents(elements);
+        symbols
+            .into_iter()
+            .any(|symbol| matches!(self.ring.generator(symbol), Generator::Direction { .. }))
+    }
+
+    /// The symbols of elements, and those in the roots and arguments among them.
+    fn constituents(&self, elements: &[Fraction]) -> BTreeSet<Symbol> {
+        let symbols_of = |element: &Fraction| {
+            let mut symbols = element.numerator().symbols();
+            symbols.extend(element.denominator().symbols());
+            symbols
+        };
+        let mut open: Vec<Symbol> = elements.iter().flat_map(symbols_of).collect();
+        let mut found = BTreeSet::new();
+        while let Some(symbol) = open.pop() {
+            if !found.insert(symbol) {
+                continue;
             }
-            _ => is_direction(symbol),
+            match self.ring.generator(symbol) {
+                Generator::Root { radicand } => open.extend(radicand.symbols()),
+                Generator::FunctionValue { argument, .. } => open.extend(symbols_of(argument)),
+                _ => {}
+            }
         }
+        found
     }
 
     /// Whether all differences begin beyond an order in small quantities, and the leading term.
@@ -70,7 +86,12 @@ impl Elaborator {
         }
         Ok(match leading {
             _ if differences.iter().all(Fraction::is_zero) => (Outcome::True, None),
-            Some((degree, _)) if degree <= order.order => (Outcome::Different(Some(degree)), None),
+            Some((degree, _)) if degree <= order.order => {
+                match self.rests_on_direction(differences) {
+                    true => (Outcome::Unresolved(DIRECTION), None),
+                    false => (Outcome::Different(Some(degree)), None),
+                }
+            }
             Some((_, residual)) => (Outcome::TrueToOrder, Some(residual)),
             None => (Outcome::TrueToOrder, None),
         })
@@ -104,27 +125,25 @@ impl Elaborator {
         Ok(match violated {
             false => Outcome::True,
             true if self.is_transcendental(difference) => Outcome::Unresolved(
-                "an angle stands beside its own sine or cosine, which a rational point cannot follow",
+                "the measure of an angle stands beside its sine or cosine, or is that of a vector, which \
+                 a rational point cannot follow",
             ),
             true => Outcome::Open,
         })
     }
 
-    /// Whether an angle stands beside a sine or cosine of it: a point of the relations gives them
-    /// values that do not belong together, which shows nothing about an inequality.
+    /// Whether the measure of an angle stands beside a sine or cosine of it, or is that of a vector: a
+    /// point of the relations gives them values that do not belong together, which shows nothing about
+    /// an inequality.
     fn is_transcendental(&self, element: &Fraction) -> bool {
-        let symbols = element
-            .numerator()
-            .symbols()
-            .into_iter()
-            .chain(element.denominator().symbols());
-        let symbols: Vec<_> = symbols.collect();
+        let symbols = self.constituents(std::slice::from_ref(element));
         symbols
             .iter()
             .any(|symbol| match self.ring.generator(*symbol) {
                 Generator::Cosine { angle } | Generator::Sine { angle } => angle
                     .coefficients()
                     .any(|(inside, _)| symbols.contains(&inside)),
+                Generator::Direction { .. } => true,
                 _ => false,
             })
     }

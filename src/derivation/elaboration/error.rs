@@ -124,3 +124,19 @@ pub fn argument_count(function: &Name, wanted: usize, given: usize, span: &Span)
             "separate arguments by `,`; the entries of a vector stand in one pair of brackets",
         )
 }
+
+/// Requires that nothing is named twice.
+pub fn different(things: &[(String, Span)]) -> Result<(), Diagnostic> {
+    for (place, (thing, span)) in things.iter().enumerate() {
+        if let Some((_, earlier)) = things[..place].iter().find(|(known, _)| known == thing) {
+            let message = format!("`{thing}` is named twice");
+            return Err(
+                Diagnostic::new(DiagnosticKind::Duplicate, span.clone(), message)
+                    .with_label("the same again")
+                    .with_secondary(earlier.clone(), "the first one")
+                    .with_help("name it once"),
+            );
+        }
+    }
+    Ok(())
+}

@@ -34,6 +34,9 @@ const DEEPEST_NESTING: usize = 600;
 /// How many parts of expressions are evaluated at one point for one assertion.
 const MOST_PARTS: usize = 400_000;
 
+/// How many surroundings may be made at one point for one assertion.
+const MOST_SURROUNDINGS: usize = 2_000;
+
 /// Evaluates the expressions of a document at one point.
 pub struct Evaluator<'a> {
     scope: &'a Scope,
@@ -48,6 +51,8 @@ pub struct Evaluator<'a> {
     replaced: BTreeMap<(usize, Key), Sample>,
     nesting: usize,
     parts: usize,
+    /// How many surroundings there were before the assertion.
+    surroundings_before: usize,
 }
 
 impl<'a> Evaluator<'a> {
@@ -63,6 +68,7 @@ impl<'a> Evaluator<'a> {
             replaced: BTreeMap::new(),
             nesting: 0,
             parts: 0,
+            surroundings_before: 0,
         }
     }
 
@@ -129,6 +135,7 @@ impl<'a> Evaluator<'a> {
     fn begin(&mut self) {
         self.point.extension.refill();
         (self.nesting, self.parts, self.nilpotents) = (0, 0, 0);
+        self.surroundings_before = self.surroundings.len();
     }
 
     /// Fails where the numbers were given up; then products are wrong.
@@ -145,7 +152,8 @@ impl<'a> Evaluator<'a> {
         if self.nesting >= DEEPEST_NESTING {
             return Err("definitions rest on each other too deeply".into());
         }
-        if self.parts > MOST_PARTS {
+        let surroundings = self.surroundings.len() - self.surroundings_before;
+        if self.parts > MOST_PARTS || surroundings > MOST_SURROUNDINGS {
             return Err("it has too many parts".into());
         }
         self.nesting += 1;

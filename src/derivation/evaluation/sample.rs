@@ -29,7 +29,10 @@ impl Sample {
     pub fn negative(&self) -> Self {
         Sample {
             number: self.number.negative(),
-            angle: self.angle.as_ref().map(|tag| multiple(tag, &-Rational::ONE)),
+            angle: self
+                .angle
+                .as_ref()
+                .map(|tag| multiple(tag, &-Rational::ONE)),
         }
     }
 
@@ -52,7 +55,10 @@ impl Sample {
     /// a·b; rational multiples of an angle are angles.
     pub fn product(&self, other: &Self, extension: &Extension) -> Self {
         let scaled = |factor: &Sample, angle: &Sample| {
-            Some(multiple(angle.angle.as_ref()?, &factor.number.as_rational()?))
+            Some(multiple(
+                angle.angle.as_ref()?,
+                &factor.number.as_rational()?,
+            ))
         };
         let angle = scaled(self, other).or_else(|| scaled(other, self));
         Sample {

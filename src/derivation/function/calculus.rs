@@ -3,7 +3,7 @@
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::differential::Differential;
 use crate::algebra::matrix::Matrix;
-use crate::derivation::diagnostic::Diagnostic;
+use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::{algebra, shape};
 use crate::derivation::elaboration::limit::check_order;
@@ -79,7 +79,18 @@ impl Elaborator {
         let order = check_order(self.natural(order)? as u32, &order.span)?;
         let mut symbols = Vec::new();
         for entry in self.value(small)?.entries() {
-            symbols.push(self.symbol(entry, &small.span)?);
+            let symbol = self.symbol(entry, &small.span)?;
+            if symbols.contains(&symbol) {
+                let message = "a small quantity is named twice";
+                return Err(Diagnostic::new(
+                    DiagnosticKind::Duplicate,
+                    small.span.clone(),
+                    message,
+                )
+                .with_label("the same quantity again")
+                .with_help("name each of them once"));
+            }
+            symbols.push(symbol);
         }
         // What must hold must hold where the small quantities vanish.
         let (value, needed) = self.value_and_conditions(value)?;

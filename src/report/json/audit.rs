@@ -78,7 +78,7 @@ pub fn audits(audits: &[Audit]) -> String {
 
 /// Writes how the verdict on a claim of a document was reached.
 pub fn explanation(audit: &Audit, claim: &Claim) -> String {
-    let explanation = &claim.explanation;
+    let explanation = audit.explain(claim);
     super::write(&ExplanationObject {
         path: &audit.path,
         claim: claim_object(claim),
@@ -86,7 +86,7 @@ pub fn explanation(audit: &Audit, claim: &Claim) -> String {
         left: normal_forms(&explanation.left),
         right: normal_forms(&explanation.right),
         unit: explanation.unit.as_deref(),
-        points: explanation.points,
+        points: claim.points,
         route: route(claim),
     })
 }
@@ -118,7 +118,12 @@ fn claim_object(claim: &Claim) -> ClaimObject<'_> {
 
 fn witness_object(witness: &Witness) -> WitnessObject<'_> {
     let point = witness.point.iter();
-    let point = point.map(|(name, value)| (name.clone(), Notation::Ascii.number(value)));
+    let point = point.map(|(name, value)| {
+        (
+            Notation::Ascii.expression(name),
+            Notation::Ascii.number(value),
+        )
+    });
     WitnessObject {
         point: Pairs(point.collect()),
         entry: witness.entry,

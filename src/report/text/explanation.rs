@@ -23,7 +23,7 @@ pub fn explanation(audit: &Audit, claim: &Claim, width: usize) -> String {
 
     page.heading("Statement");
     write(&mut page, "", &Notation::Unicode.relation(&claim.statement));
-    let explanation = &claim.explanation;
+    let explanation = audit.explain(claim);
     if !explanation.definitions.is_empty() {
         page.heading("Rests on");
     }

@@ -49,7 +49,8 @@ impl<'a> Evaluator<'a> {
     ) -> Result<Option<Number>, Failure> {
         let parent = self.surroundings[level].parent;
         let change = self.surroundings[level].change.clone();
-        let concerns = |key: &Key| matches!(key, Key::Function(f, k, _) if *f == name.ascii && *k == order);
+        let concerns =
+            |key: &Key| matches!(key, Key::Function(f, k, _) if *f == name.ascii && *k == order);
         let key = match &change {
             Change::Replace { functions, .. } => functions
                 .iter()
@@ -75,8 +76,12 @@ impl<'a> Evaluator<'a> {
                 let unchanged = self.function(name, order, argument, lifted)?;
                 return Ok(Some(self.point.extension.product(&unchanged, &step)));
             }
-            Change::Replace { functions, frame, .. } => {
-                let value = functions.iter().find(|(known, k, _)| *known == name && *k == order);
+            Change::Replace {
+                functions, frame, ..
+            } => {
+                let value = functions
+                    .iter()
+                    .find(|(known, k, _)| *known == name && *k == order);
                 let (_, _, value) = value.ok_or("this is not replaced")?;
                 self.number(value, Context::of(parent).in_frame(frame))?
             }
@@ -86,7 +91,9 @@ impl<'a> Evaluator<'a> {
         // The value belongs to the reference argument, from which inner changes may have moved.
         let reference = self.reference(name)?;
         let here = Context::of(level);
-        let moved = self.number(argument, context)?.difference(&self.number(reference, here)?);
+        let moved = self
+            .number(argument, context)?
+            .difference(&self.number(reference, here)?);
         if !moved.base().is_zero() {
             return Err(format!("{name} is replaced where it is not taken"));
         }

@@ -11,9 +11,12 @@ use super::{Evaluator, Failure};
 /// The most nodes a polynomial is sampled at to find its coefficients.
 const MOST_NODES: i64 = 40;
 
+/// How many further nodes must confirm them.
+const CONFIRMATIONS: usize = 3;
+
 impl<'a> Evaluator<'a> {
     /// The coefficients of a polynomial from its values at a, a + 1, a + 2, …, by Newton's divided
-    /// differences, until three more values change nothing.
+    /// differences, until some more values change nothing.
     pub(super) fn interpolation(
         &mut self,
         polynomial: &'a Expression,
@@ -35,11 +38,12 @@ impl<'a> Evaluator<'a> {
             }
             newton.extend(current.last().cloned());
             differences = current;
-            if newton.len() > 3 && newton.iter().rev().take(3).all(Number::is_zero) {
+            let last = newton.iter().rev().take(CONFIRMATIONS);
+            if newton.len() > CONFIRMATIONS && last.clone().all(Number::is_zero) {
                 return Ok(expand_newton(&newton, first));
             }
         }
-        Err("no polynomial of a degree below 40".into())
+        Err("it is no polynomial of a degree below 37".into())
     }
 }
 
