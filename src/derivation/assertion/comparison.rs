@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::generator::Generator;
+use crate::algebra::polynomial::Polynomial;
 use crate::algebra::sign::Signs;
 use crate::algebra::symbol::Symbol;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
@@ -37,26 +38,27 @@ impl Elaborator {
         let symbols = self.constituents(elements);
         symbols
             .into_iter()
-            .any(|symbol| matches!(self.ring.generator(symbol), Generator::Direction { .. }))
+            .any(|symbol| match self.ring.generator(symbol) {
+                Generator::Direction { .. } => true,
+                Generator::FunctionValue { argument, .. } => {
+                    self.rests_on_direction(std::slice::from_ref(argument))
+                }
+                _ => false,
+            })
     }
 
-    /// The symbols of elements, and those in the roots and arguments among them.
+    /// The symbols of elements, and those in the roots among them.
     fn constituents(&self, elements: &[Fraction]) -> BTreeSet<Symbol> {
-        let symbols_of = |element: &Fraction| {
-            let mut symbols = element.numerator().symbols();
-            symbols.extend(element.denominator().symbols());
-            symbols
-        };
-        let mut open: Vec<Symbol> = elements.iter().flat_map(symbols_of).collect();
+        let sides = elements
+            .iter()
+            .flat_map(|element| [element.numerator(), element.denominator()]);
+        let mut open: Vec<Symbol> = sides.flat_map(Polynomial::symbols).collect();
         let mut found = BTreeSet::new();
         while let Some(symbol) = open.pop() {
-            if !found.insert(symbol) {
-                continue;
-            }
-            match self.ring.generator(symbol) {
-                Generator::Root { radicand } => open.extend(radicand.symbols()),
-                Generator::FunctionValue { argument, .. } => open.extend(symbols_of(argument)),
-                _ => {}
+            if found.insert(symbol)
+                && let Generator::Root { radicand } = self.ring.generator(symbol)
+            {
+                open.extend(radicand.symbols());
             }
         }
         found
