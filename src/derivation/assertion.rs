@@ -71,6 +71,13 @@ pub(super) enum Outcome {
     Unresolved(&'static str),
 }
 
+impl Outcome {
+    /// Whether the first route found it true, at least to its order.
+    pub(super) const fn is_true(&self) -> bool {
+        matches!(self, Outcome::True | Outcome::TrueToOrder)
+    }
+}
+
 impl Elaborator {
     /// Compares the sides of an assertion in normal form.
     ///

@@ -72,13 +72,9 @@ pub fn audit(source: &SourceFile, library: &dyn Library) -> Result<Audit, Box<Re
     let read = reader.read(source)?;
     let signs = reader.signs();
     let mut judge = Judge::new(&reader.elaborator.scope, &reader.assumptions, signs);
-    let mut claims = Vec::new();
-    for finding in &read.findings {
-        claims.push(judge.judge(finding).map_err(reject)?);
-    }
-    for check in &read.checks {
-        check.confirm(&mut judge).map_err(reject)?;
-    }
+    let claims = judge
+        .judge_all(&read.findings, &read.checks)
+        .map_err(reject)?;
     Ok(Audit {
         path: source.path.clone(),
         title: read.title,

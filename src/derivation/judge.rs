@@ -1,21 +1,26 @@
 //! The verdicts on assertions: what the first route found, with the second at points.
 
+mod points;
 mod sides;
 mod witness;
 
 use std::collections::BTreeMap;
+use std::panic::resume_unwind;
+use std::thread;
 
 use crate::algebra::sign::Signs;
 
 use super::assertion::{Assertion, Finding, Outcome};
 use super::diagnostic::{Diagnostic, DiagnosticKind};
-use super::evaluation::evaluator::Evaluator;
-use super::evaluation::point::Size;
+use super::evaluation::evaluator::{Evaluator, Failure};
+use super::matching::check::MatchingCheck;
 use super::scope::Scope;
 use super::syntax::{Name, Relation, Span};
-use super::verdict::{Claim, Verdict};
+use super::verdict::{Claim, Verdict, Witness};
 
+use points::{NO_POINT, Points, random_point, simple_point};
 use sides::{compare, sides};
+use witness::witness;
 
 /// At how many random points every assertion is evaluated.
 const POINTS: usize = 2;
@@ -23,45 +28,16 @@ const POINTS: usize = 2;
 /// How many random points are tried before an assertion is given up that has no value at most of them.
 const MOST_CHECKPOINTS: usize = 24;
 
-/// How many points are tried to find one that satisfies the assumptions, or that refutes.
-const MOST_ATTEMPTS: u64 = 400;
-
-/// Numbers large enough that two different expressions do not agree by chance.
-const LARGE: Size = Size {
-    numerator: 1_000_000,
-    denominator: 1,
-};
-
-/// Numbers on both sides of 1, for assumptions that whole numbers do not satisfy.
-const MIXED: Size = Size {
-    numerator: 1_000,
-    denominator: 1_000,
-};
-
-/// Numbers small enough to check by hand; later ones are larger.
-const SMALL: [Size; 3] = [
-    Size {
-        numerator: 3,
-        denominator: 1,
-    },
-    Size {
-        numerator: 5,
-        denominator: 2,
-    },
-    Size {
-        numerator: 40,
-        denominator: 9,
-    },
-];
-
 /// Evaluates assertions at points of a finished document and gives the verdicts.
 pub struct Judge<'a> {
-    scope: &'a Scope,
-    assumptions: &'a [Relation],
-    signs: BTreeMap<String, Signs>,
-    large: Vec<Evaluator<'a>>,
-    small: Vec<Evaluator<'a>>,
+    /// Random points at which identities are checked.
+    checkpoints: Points<'a>,
+    /// Points at which counterexamples are looked for, simple ones first.
+    candidates: Points<'a>,
 }
+
+/// What became of a check at a point: passed, or impossible for a reason; an error where it fails.
+pub type Checked = Result<Result<(), Failure>, Diagnostic>;
 
 impl<'a> Judge<'a> {
     /// A judge over the names of a document, at points that satisfy its assumptions.
@@ -70,55 +46,79 @@ impl<'a> Judge<'a> {
         assumptions: &'a [Relation],
         signs: BTreeMap<String, Signs>,
     ) -> Self {
+        let points = |choose| Points::new(scope, assumptions, signs.clone(), choose);
         Judge {
-            scope,
-            assumptions,
-            signs,
-            large: Vec::new(),
-            small: Vec::new(),
+            checkpoints: points(random_point),
+            candidates: points(simple_point),
         }
     }
 
-    /// An evaluator at a point, if that satisfies the assumptions.
-    fn evaluator(&self, seed: u64, size: Size) -> Option<Evaluator<'a>> {
-        let mut evaluator = Evaluator::new(self.scope, seed, size, self.signs.clone());
-        let admissible = self.assumptions.iter().all(|assumption| {
-            let left = evaluator.evaluate(&assumption.left);
-            let right = evaluator.evaluate(&assumption.right);
-            matches!((left, right), (Ok(left), Ok(right))
-                if compare(&left, &right, assumption.comparison) == Some(true))
-        });
-        admissible.then_some(evaluator)
-    }
-
-    /// One of the random points at which identities are checked, made when it is first asked for.
-    fn checkpoint(&mut self, count: usize) -> Option<&mut Evaluator<'a>> {
-        while self.large.len() <= count {
-            let next = self.large.len() as u64;
-            let found = (0..MOST_ATTEMPTS).find_map(|attempt| {
-                let size = if attempt % 4 == 0 { LARGE } else { MIXED };
-                self.evaluator(next * MOST_ATTEMPTS + attempt, size)
-            });
-            self.large.push(found?);
-        }
-        self.large.get_mut(count)
-    }
-
-    /// Carries out a check at as many random points as are needed: how many those were, or why there
-    /// are not enough. Points at which something has no value are passed over.
-    pub fn at_checkpoints(
+    /// The verdicts on findings, with the matchings checked too; the points are taken side by side.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnostic`] where the two routes disagree, which is a mistake of this program, or where a
+    /// matching cannot be checked.
+    pub fn judge_all(
         &mut self,
-        mut check: impl FnMut(&mut Evaluator<'a>) -> Result<Result<(), String>, Diagnostic>,
-    ) -> Result<Result<usize, String>, Diagnostic> {
-        let (mut passed, mut reason) = (
-            0,
-            "no point was found that satisfies the assumptions".to_string(),
-        );
-        for count in 0..MOST_CHECKPOINTS {
-            let Some(evaluator) = self.checkpoint(count) else {
-                break;
+        findings: &'a [Finding],
+        matchings: &'a [MatchingCheck],
+    ) -> Result<Vec<Claim>, Diagnostic> {
+        self.checkpoints.at(POINTS - 1);
+        let checkpoints = self.checkpoints.found().take(POINTS);
+        let candidates = &mut self.candidates;
+        let (checked, witnesses) = thread::scope(|threads| {
+            let checked = checkpoints.map(|evaluator| {
+                threads.spawn(|| {
+                    let findings = findings.iter().map(|finding| check(evaluator, finding));
+                    let findings: Vec<Checked> = findings.collect();
+                    let matchings = matchings.iter().map(|matching| matching.check(evaluator));
+                    (findings, matchings.collect::<Vec<Checked>>())
+                })
+            });
+            let checked: Vec<_> = checked.collect();
+            let witnesses = findings.iter().map(|finding| witness(candidates, finding));
+            let witnesses: Vec<Option<Witness>> = witnesses.collect();
+            let join = |thread: thread::ScopedJoinHandle<'_, _>| {
+                thread.join().unwrap_or_else(|panic| resume_unwind(panic))
             };
-            match check(evaluator)? {
+            (checked.into_iter().map(join).collect::<Vec<_>>(), witnesses)
+        });
+        let (mut of_findings, mut of_matchings): (Vec<_>, Vec<_>) = checked
+            .into_iter()
+            .map(|(findings, matchings)| (findings.into_iter(), matchings.into_iter()))
+            .unzip();
+        let mut claims = Vec::new();
+        for (finding, witness) in findings.iter().zip(witnesses) {
+            let known = of_findings.iter_mut().filter_map(Iterator::next).collect();
+            let points = self.enough(known, |evaluator| check(evaluator, finding))?;
+            claims.push(claim(finding, points, witness));
+        }
+        for matching in matchings {
+            let known = of_matchings.iter_mut().filter_map(Iterator::next).collect();
+            let points = self.enough(known, |evaluator| matching.check(evaluator))?;
+            matching.conclude(points)?;
+        }
+        Ok(claims)
+    }
+
+    /// Carries out a check at as many random points as are needed, of which the first are known: how
+    /// many those were, or why there are not enough. Points at which something has no value are passed
+    /// over.
+    fn enough(
+        &mut self,
+        known: Vec<Checked>,
+        check: impl Fn(&mut Evaluator<'a>) -> Checked,
+    ) -> Result<Result<usize, Failure>, Diagnostic> {
+        let mut known = known.into_iter();
+        let (mut passed, mut reason) = (0, NO_POINT.to_string());
+        for count in 0..MOST_CHECKPOINTS {
+            let checked = match (known.next(), self.checkpoints.at(count)) {
+                (Some(checked), _) => checked,
+                (None, Some(evaluator)) => check(evaluator),
+                (None, None) => break,
+            };
+            match checked? {
                 Ok(()) => passed += 1,
                 Err(why) => reason = why,
             }
@@ -128,73 +128,54 @@ impl<'a> Judge<'a> {
         }
         Ok(Err(reason))
     }
+}
 
-    /// The points at which counterexamples are looked for, simple ones first.
-    fn candidates(&mut self, count: usize) -> Option<&mut Evaluator<'a>> {
-        while self.small.len() <= count {
-            let next = self.small.len() as u64;
-            let found = (0..MOST_ATTEMPTS).find_map(|attempt| {
-                let larger = next / 40 + attempt / 100;
-                let size = SMALL[(larger as usize).min(SMALL.len() - 1)];
-                self.evaluator(1_000_000 + next * MOST_ATTEMPTS + attempt, size)
-            });
-            self.small.push(found?);
+/// Evaluates both sides of what the first route found true.
+fn check<'a>(evaluator: &mut Evaluator<'a>, finding: &'a Finding) -> Checked {
+    if !finding.outcome.is_true() {
+        return Ok(Ok(()));
+    }
+    let assertion = &finding.assertion;
+    let sides = match sides(evaluator, assertion, assertion.order.as_ref()) {
+        Ok(sides) => sides,
+        Err(reason) => return Ok(Err(format!("cannot be evaluated at a point: {reason}"))),
+    };
+    for (left, right) in sides {
+        match compare(&left, &right, assertion.relation.comparison) {
+            Some(true) => {}
+            Some(false) => return Err(disagreement(&assertion.span)),
+            None => return Ok(Err("the sides cannot be compared at a point".into())),
         }
-        self.small.get_mut(count)
     }
+    Ok(Ok(()))
+}
 
-    /// The verdict on a finding.
-    ///
-    /// # Errors
-    ///
-    /// A [`Diagnostic`] where the two routes disagree, which is a mistake of this program.
-    pub fn judge(&mut self, finding: &'a Finding) -> Result<Claim, Diagnostic> {
-        let mut claim = undecided(finding);
-        match &finding.outcome {
-            Outcome::IllFormed(reason) => {
-                claim.verdict = Verdict::IllFormed;
-                claim.reason = Some(reason.clone());
-            }
-            Outcome::True | Outcome::TrueToOrder => match self.confirm(finding)? {
-                Ok(points) => {
-                    claim.points = points;
-                    claim.verdict = verdict_on_truth(finding);
-                    if claim.verdict == Verdict::Approximate {
-                        claim.neglected = beyond_order(&finding.assertion);
-                    }
-                }
-                Err(reason) => claim.reason = Some(reason),
-            },
-            Outcome::Different(_) | Outcome::Open => match self.witness(finding) {
-                Some(witness) => {
-                    claim.witness = Some(witness);
-                    claim.verdict = Verdict::Refuted;
-                }
-                None => claim.reason = Some(no_witness(&finding.outcome).to_string()),
-            },
-            Outcome::Unresolved(reason) => claim.reason = Some((*reason).to_string()),
+/// The claim that a finding becomes with what the points showed.
+fn claim(finding: &Finding, points: Result<usize, Failure>, witness: Option<Witness>) -> Claim {
+    let mut claim = undecided(finding);
+    match (&finding.outcome, points, witness) {
+        (Outcome::IllFormed(reason), ..) => {
+            claim.verdict = Verdict::IllFormed;
+            claim.reason = Some(reason.clone());
         }
-        Ok(claim)
-    }
-
-    /// Evaluates both sides at the checkpoints: how many there were, or why it cannot be done.
-    fn confirm(&mut self, finding: &'a Finding) -> Result<Result<usize, String>, Diagnostic> {
-        let assertion = &finding.assertion;
-        self.at_checkpoints(|evaluator| {
-            let sides = match sides(evaluator, assertion, assertion.order.as_ref()) {
-                Ok(sides) => sides,
-                Err(reason) => return Ok(Err(format!("cannot be evaluated at a point: {reason}"))),
-            };
-            for (left, right) in sides {
-                match compare(&left, &right, assertion.relation.comparison) {
-                    Some(true) => {}
-                    Some(false) => return Err(disagreement(&assertion.span)),
-                    None => return Ok(Err("the sides cannot be compared at a point".into())),
-                }
+        (Outcome::True | Outcome::TrueToOrder, Ok(points), _) => {
+            claim.points = points;
+            claim.verdict = verdict_on_truth(finding);
+            if claim.verdict == Verdict::Approximate {
+                claim.neglected = beyond_order(&finding.assertion);
             }
-            Ok(Ok(()))
-        })
+        }
+        (Outcome::True | Outcome::TrueToOrder, Err(reason), _) => claim.reason = Some(reason),
+        (Outcome::Different(_) | Outcome::Open, _, Some(witness)) => {
+            claim.witness = Some(witness);
+            claim.verdict = Verdict::Refuted;
+        }
+        (Outcome::Different(_) | Outcome::Open, _, None) => {
+            claim.reason = Some(no_witness(&finding.outcome).to_string());
+        }
+        (Outcome::Unresolved(reason), ..) => claim.reason = Some((*reason).to_string()),
     }
+    claim
 }
 
 /// The claim that a finding is, before it is judged.

@@ -25,9 +25,10 @@ fn line(claim: &Claim) -> String {
         line += &format!("; leading {}", Notation::Unicode.expression(residual));
     }
     if let Some(witness) = &claim.witness {
-        let coordinates = witness.point.iter().map(|(name, value)| {
-            format!("{} = {value}", Notation::Unicode.expression(name))
-        });
+        let coordinates = witness
+            .point
+            .iter()
+            .map(|(name, value)| format!("{} = {value}", Notation::Unicode.expression(name)));
         let coordinates: Vec<String> = coordinates.collect();
         let sides = format!("{} against {}", witness.left, witness.right);
         line += &format!("; {sides} at {}", coordinates.join(", "));

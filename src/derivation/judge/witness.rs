@@ -8,61 +8,63 @@ use crate::derivation::scope::Scope;
 use crate::derivation::syntax::{Expression, Name, Node};
 use crate::derivation::verdict::Witness;
 
-use super::Judge;
+use super::points::Points;
 use super::sides::{compare, first_difference, sides};
 
 /// How many points are looked at for a counterexample.
 const MOST_POINTS: usize = 160;
 
-impl<'a> Judge<'a> {
-    /// The first point at which the sides differ, one with rational sides if there is one.
-    pub(super) fn witness(&mut self, finding: &'a Finding) -> Option<Witness> {
-        let (assertion, scope) = (&finding.assertion, self.scope);
-        let degree = match &finding.outcome {
-            Outcome::Different(degree) => *degree,
-            _ => None,
+/// How many more once one with irrational sides is found.
+const MOST_POINTS_AFTER: usize = 16;
+
+/// The first point at which the sides of what may be refuted differ, one with rational sides if there
+/// is one not much later.
+pub fn witness<'a>(points: &mut Points<'a>, finding: &'a Finding) -> Option<Witness> {
+    let degree = match &finding.outcome {
+        Outcome::Different(degree) => *degree,
+        Outcome::Open => None,
+        _ => return None,
+    };
+    let (assertion, scope) = (&finding.assertion, points.scope);
+    let order = assertion.order.as_ref().filter(|_| degree.is_some());
+    let mut irrational = None;
+    let mut most = MOST_POINTS;
+    for count in 0..MOST_POINTS {
+        let evaluator = points.at(count).filter(|_| count < most);
+        let Some(evaluator) = evaluator else { break };
+        let Ok(sides) = sides(evaluator, assertion, order) else {
+            continue;
         };
-        let order = assertion.order.as_ref().filter(|_| degree.is_some());
-        let mut irrational = None;
-        for count in 0..MOST_POINTS {
-            let Some(evaluator) = self.candidates(count) else {
-                break;
-            };
-            let Ok(sides) = sides(evaluator, assertion, order) else {
-                continue;
-            };
-            let side = match degree {
-                Some(degree) => sides.into_iter().nth(degree as usize),
-                None => sides.into_iter().next(),
-            };
-            let Some((left, right)) = side else { continue };
-            let comparison = assertion.relation.comparison;
-            if compare(&left, &right, comparison) != Some(false) {
-                continue;
-            }
-            let (row, column) = first_difference(&left, &right).unwrap_or((0, 0));
-            let (a, b) = (&left[row][column], &right[row][column]);
-            let point = evaluator.point();
-            let drawn = point
-                .drawn()
-                .iter()
-                .filter(|(name, _)| is_shown(name, &finding.names));
-            let witness = Witness {
-                point: drawn
-                    .map(|(name, value)| (coordinate(name, scope), value.clone()))
-                    .collect(),
-                degree,
-                entry: (left.len() > 1 || left[0].len() > 1).then_some((row + 1, column + 1)),
-                left: a.display(&point.extension),
-                right: b.display(&point.extension),
-            };
-            if a.as_rational().is_some() && b.as_rational().is_some() {
-                return Some(witness);
-            }
-            irrational.get_or_insert(witness);
+        let side = sides.into_iter().nth(degree.unwrap_or(0) as usize);
+        let Some((left, right)) = side else { continue };
+        if compare(&left, &right, assertion.relation.comparison) != Some(false) {
+            continue;
         }
-        irrational
+        let (row, column) = first_difference(&left, &right).unwrap_or((0, 0));
+        let (a, b) = (&left[row][column], &right[row][column]);
+        let point = evaluator.point();
+        let drawn = point
+            .drawn()
+            .iter()
+            .filter(|(name, _)| is_shown(name, &finding.names));
+        let witness = Witness {
+            point: drawn
+                .map(|(name, value)| (coordinate(name, scope), value.clone()))
+                .collect(),
+            degree,
+            entry: (left.len() > 1 || left[0].len() > 1).then_some((row + 1, column + 1)),
+            left: a.display(&point.extension),
+            right: b.display(&point.extension),
+        };
+        if a.as_rational().is_some() && b.as_rational().is_some() {
+            return Some(witness);
+        }
+        if irrational.is_none() {
+            irrational = Some(witness);
+            most = count + MOST_POINTS_AFTER;
+        }
     }
+    irrational
 }
 
 /// Whether a point shows a value: its own name is wanted, or it is a value of a function that is.

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::derivation::evaluation::evaluator::Evaluator;
+use crate::derivation::evaluation::evaluator::{Evaluator, Failure};
 use crate::derivation::evaluation::number::Number;
-use crate::derivation::judge::Judge;
+use crate::derivation::judge::Checked;
 use crate::derivation::syntax::{Expression, Node, Place, Span};
 
 use super::Matched;
@@ -39,28 +39,28 @@ impl MatchingCheck {
         }
     }
 
-    /// Compares the residuals at random points.
+    /// Compares the residuals at a point.
+    pub fn check<'a>(&'a self, evaluator: &mut Evaluator<'a>) -> Checked {
+        let power = match self.differs(evaluator) {
+            Ok(None) => return Ok(Ok(())),
+            Ok(Some(power)) => power,
+            Err(reason) => return Ok(Err(reason)),
+        };
+        let message = "the matching fails at a random point";
+        Err(
+            Diagnostic::new(DiagnosticKind::Disagreement, self.span.clone(), message)
+                .with_label(format!("at the power {power}"))
+                .with_help("this is a mistake of sextic, not of the document: please report it"),
+        )
+    }
+
+    /// What the points come to: an error where there are too few.
     ///
     /// # Errors
     ///
-    /// A [`Diagnostic`] where they differ, or where too few points have values.
-    pub fn confirm<'a>(&'a self, judge: &mut Judge<'a>) -> Result<(), Diagnostic> {
-        let outcome = judge.at_checkpoints(|evaluator| {
-            let power = match self.differs(evaluator) {
-                Ok(None) => return Ok(Ok(())),
-                Ok(Some(power)) => power,
-                Err(reason) => return Ok(Err(reason)),
-            };
-            let message = "the matching fails at a random point";
-            Err(
-                Diagnostic::new(DiagnosticKind::Disagreement, self.span.clone(), message)
-                    .with_label(format!("at the power {power}"))
-                    .with_help(
-                        "this is a mistake of sextic, not of the document: please report it",
-                    ),
-            )
-        })?;
-        outcome.map(drop).map_err(|reason| {
+    /// A [`Diagnostic`] with the reason.
+    pub fn conclude(&self, points: Result<usize, Failure>) -> Result<(), Diagnostic> {
+        points.map(drop).map_err(|reason| {
             let message = "this matching cannot be checked at a point";
             Diagnostic::new(DiagnosticKind::Unsupported, self.span.clone(), message)
                 .with_label(reason)
@@ -68,7 +68,7 @@ impl MatchingCheck {
     }
 
     /// The first power at which the residual is not what it was found to be.
-    fn differs<'a>(&'a self, evaluator: &mut Evaluator<'a>) -> Result<Option<u32>, String> {
+    fn differs<'a>(&'a self, evaluator: &mut Evaluator<'a>) -> Result<Option<u32>, Failure> {
         let exact = evaluator.coefficients(&self.exact, &self.variable)?;
         let assumed = evaluator.coefficients(&self.assumed, &self.variable)?;
         for (power, residual) in &self.residuals {
