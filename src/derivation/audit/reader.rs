@@ -66,9 +66,12 @@ impl<'a> Reader<'a> {
         self.aliases.extend(&document.aliases);
         self.elaborator.scope.leave_document();
         read.title.clone_from(&document.title);
+        let (mut line, mut counted) = (1, 0);
         for statement in &document.statements {
             self.elaborator.fresh();
-            let line = line_of(&source.text, statement.span.start);
+            let between = source.text.get(counted..statement.span.start);
+            line += between.unwrap_or_default().matches('\n').count();
+            counted = statement.span.start;
             self.execute(statement, line, &mut read)
                 .map_err(|error| reject(vec![error]))?;
         }
@@ -173,13 +176,4 @@ impl<'a> Reader<'a> {
             })
             .collect()
     }
-}
-
-/// The line of a byte of a text, counted from 1.
-fn line_of(text: &str, offset: usize) -> usize {
-    text.bytes()
-        .take(offset)
-        .filter(|byte| *byte == b'\n')
-        .count()
-        + 1
 }
