@@ -242,6 +242,37 @@ fn moved(shape: usize, k: i32, world: &World, point: &Point) -> (Substitution, P
     (images.into_iter().collect(), moved)
 }
 
+/// 2 s ds = d(s²) for every symbol s whose square a relation gives.
+#[test]
+fn relations_are_constant() {
+    for (k, l) in [(1, 0), (1, 1), (-1, 1), (0, 1)] {
+        let mut world = World::new((k, l));
+        let theta = Term::Sine([0, 0, 1, 0]).element(&mut world).unwrap();
+        let sines = world.ring.basis().to_vec();
+        let mut changing = 0;
+        for kind in 0..=8 {
+            let d = differential(kind, &world);
+            let ring = &mut world.ring;
+            let sines = sines.iter().map(|basis| ring.element(basis.sine));
+            let mut elements: Vec<Fraction> = sines.collect();
+            elements.extend([ring.element(world.i), world.root.clone()]);
+            assert!(elements.contains(&theta));
+            for element in elements {
+                let symbol = ring.as_symbol(&element).unwrap();
+                assert!(ring.generator(symbol).is_quadratic());
+                let square = ring.product(&element, &element).unwrap();
+                let change = ring.differentiate(&element, &d).unwrap();
+                let half = ring.product(&element, &change).unwrap();
+                let expected = ring.differentiate(&square, &d).unwrap();
+                assert_eq!(ring.sum(&half, &half), Ok(expected.clone()), "{kind}");
+                changing += usize::from(!expected.is_zero());
+            }
+        }
+        // w by a and b, the sines by their angles, and three by what moves a and α.
+        assert!(changing >= 7, "{changing}");
+    }
+}
+
 #[test]
 fn values_of_functions_can_be_replaced() {
     let mut world = World::new((1, 0));
@@ -255,6 +286,21 @@ fn values_of_functions_can_be_replaced() {
     let product = ring.product(&value, &slope).unwrap();
     let substitution = Substitution::from([(f, slope.clone()), (g, ring.one())]);
     assert_eq!(ring.substitute(&product, &substitution), Ok(slope));
+}
+
+#[test]
+fn directions_follow_their_vectors() {
+    let mut world = World::new((1, 0));
+    let [a, b, u, ..] = world.free;
+    let direction = world.direction.clone();
+    let ring = &mut world.ring;
+    let (x, y) = (ring.element(b), ring.element(a));
+    let expected = ring.direction(&x, &y).unwrap();
+    assert_ne!(expected, direction);
+    let swap = Substitution::from([(a, x), (b, y)]);
+    assert_eq!(ring.substitute(&direction, &swap), Ok(expected));
+    let along = Substitution::from([(a, ring.element(u)), (b, ring.zero())]);
+    assert_eq!(ring.substitute(&direction, &along), Ok(ring.zero()));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 mod calculus;
 mod field;
 mod matrices;
+mod normal_forms;
 mod oracle;
 mod presentation;
 mod roots;

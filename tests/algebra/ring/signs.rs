@@ -5,6 +5,7 @@ use proptest::prelude::*;
 use sextic::algebra::arithmetic::{Arithmetic, Division};
 use sextic::algebra::budget::Budget;
 use sextic::algebra::generator::Generator;
+use sextic::algebra::monomial::Monomial;
 use sextic::algebra::number::Integer;
 use sextic::algebra::polynomial::Polynomial;
 use sextic::algebra::ring::Ring;
@@ -83,7 +84,7 @@ fn signs_are_those_of_numbers() {
 }
 
 /// A ring of three constants with signs, and perhaps an assumption on a polynomial.
-fn ring(signs: &[Signs; 3], known: Option<&Polynomial>) -> Ring {
+fn ring(signs: &[Signs; 3], known: Option<(&Polynomial, Signs)>) -> Ring {
     let mut ring = Ring::new(Budget::new(20_000_000));
     for (name, signs) in ["a", "b", "c"].iter().zip(signs) {
         let symbol = ring
@@ -93,9 +94,9 @@ fn ring(signs: &[Signs; 3], known: Option<&Polynomial>) -> Ring {
             .unwrap();
         ring.assumptions_mut().assume_symbol(symbol, *signs);
     }
-    if let Some(known) = known {
+    if let Some((known, signs)) = known {
         ring.assumptions_mut()
-            .assume_polynomial(known.clone(), Signs::POSITIVE);
+            .assume_polynomial(known.clone(), signs);
     }
     ring
 }
@@ -128,16 +129,17 @@ proptest! {
     #[test]
     fn what_is_concluded_is_true(
         p in small_polynomial(3, 2), q in small_polynomial(2, 1), known in small_polynomial(3, 1),
-        assumed in any::<bool>(), signs in prop::array::uniform3(any_signs()),
+        assumed in prop::option::of(any_signs()), signs in prop::array::uniform3(any_signs()),
     ) {
-        let ring = ring(&signs, assumed.then_some(&known));
+        let ring = ring(&signs, assumed.map(|signs| (&known, signs)));
         let budget = ring.budget();
         // Products and squares, and differences from what is known, so that there is something to find.
         let shifted = &(&p.multiply(&p, budget).unwrap() + &known) + &q;
         for polynomial in [p.clone(), p.multiply(&q, budget).unwrap(), shifted, known.multiply(&q, budget).unwrap()] {
             let concluded = ring.polynomial_signs(&polynomial).unwrap();
             for point in points(&signs) {
-                if assumed && value(&known, &point) <= Integer::ZERO {
+                let own = Signs::of_integer(&value(&known, &point));
+                if assumed.is_some_and(|signs| own.intersection(signs) != own) {
                     continue;
                 }
                 let own = Signs::of_integer(&value(&polynomial, &point));
@@ -157,7 +159,7 @@ fn signs_that_are_found() {
     let known = &a - &c;
     let shifted = ring(
         &[Signs::POSITIVE, Signs::POSITIVE, Signs::NON_NEGATIVE],
-        Some(&known),
+        Some((&known, Signs::POSITIVE)),
     );
     let difference = &square(&a) - &square(&c);
     for (ring, polynomial, expected) in [
@@ -177,6 +179,7 @@ fn signs_that_are_found() {
         (&plain, &square(&c) + &a, Signs::POSITIVE),
         (&plain, difference.clone(), Signs::ANY),
         (&shifted, known.clone(), Signs::POSITIVE),
+        (&shifted, &known + &b, Signs::POSITIVE),
         (&shifted, -&known, Signs::NEGATIVE),
         (&shifted, difference, Signs::POSITIVE),
         (&shifted, Polynomial::zero(), Signs::ZERO),
@@ -196,6 +199,8 @@ fn sines_cosines_and_i() {
     let angle = ring.angle(&ring.element(angle)).unwrap();
     let (cosine, sine) = ring.cosine_and_sine(&angle).unwrap();
     let i = ring.symbol(Generator::ImaginaryUnit).unwrap();
+    let unfolded = Polynomial::from_terms([(Monomial::power(i, 2), Integer::ONE)]);
+    assert_eq!(ring.assumptions().of_terms(&unfolded), Signs::ANY);
     let i = ring.element(i);
     let square = |ring: &Ring, a| ring.product(a, a).unwrap();
     // sin² is 1 − cos² in normal form, and no sum of terms of one sign there.
