@@ -1,6 +1,6 @@
 //! Matching two polynomials coefficient by coefficient.
 
-pub(super) mod check;
+pub mod check;
 mod equations;
 mod linear_form;
 mod residual;

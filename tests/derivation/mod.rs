@@ -4,6 +4,7 @@ mod bad_meaning;
 mod explosions;
 mod identities;
 mod mutants;
+mod two_routes;
 mod verdicts;
 
 use std::path::{Component, Path, PathBuf};
@@ -12,7 +13,7 @@ use sextic::derivation::audit::{Audit, Library, audit};
 use sextic::derivation::diagnostic::{SourceFile, render};
 
 /// Documents in a folder; paths are relative to it.
-struct Folder(PathBuf);
+pub struct Folder(pub PathBuf);
 
 impl Library for Folder {
     fn read(&self, path: &str, from: &str) -> Result<SourceFile, String> {
@@ -41,7 +42,7 @@ fn audit_text(text: &str) -> Result<Audit, String> {
 }
 
 /// What becomes of a document, or the messages that reject it.
-fn audit_in(source: &SourceFile, folder: &Folder) -> Result<Audit, String> {
+pub fn audit_in(source: &SourceFile, folder: &Folder) -> Result<Audit, String> {
     audit(source, folder).map_err(|rejected| {
         let messages = rejected
             .diagnostics
@@ -52,7 +53,7 @@ fn audit_in(source: &SourceFile, folder: &Folder) -> Result<Audit, String> {
 }
 
 /// A block of statements as a document.
-fn block(statements: &str) -> String {
+pub fn block(statements: &str) -> String {
     format!("# Test\n\n```sextic\n{statements}\n```\n")
 }
 

@@ -1,0 +1,181 @@
+//! What the first route finds and the second does not see stops the audit; what the second does not
+//! see is not refuted.
+//!
+//! The routes are made to disagree by giving the second one another relation than the first one was
+//! asked about.
+
+use std::collections::BTreeMap;
+
+use sextic::algebra::budget::Budget;
+use sextic::algebra::generator::Generator;
+use sextic::algebra::sign::Signs;
+use sextic::derivation::assertion::Assertion;
+use sextic::derivation::judge::Judge;
+use sextic::derivation::diagnostic::{DiagnosticKind, SourceFile};
+use sextic::derivation::document::parse_document;
+use sextic::derivation::elaboration::Elaborator;
+use sextic::derivation::expression_parser::parse_expression;
+use sextic::derivation::matching::Matched;
+use sextic::derivation::matching::check::MatchingCheck;
+use sextic::derivation::scope::{Meaning, SymbolKind};
+use sextic::derivation::syntax::{Name, Spanned, StatementKind};
+use sextic::derivation::unit::Unit;
+use sextic::derivation::verdict::Verdict;
+
+use super::block;
+
+/// An elaborator that knows the numbers x, y, λ and b and the angular coordinate θ.
+fn elaborator() -> Elaborator {
+    let mut elaborator = Elaborator::new(Budget::new(1_000_000));
+    let constant = |name: &str| {
+        (
+            Generator::Constant { name: name.into() },
+            SymbolKind::Parameter,
+        )
+    };
+    let theta = Generator::Coordinate {
+        name: "theta".into(),
+        order: 0,
+        angular: true,
+    };
+    for (name, (generator, kind)) in [
+        ("x", constant("x")),
+        ("y", constant("y")),
+        ("λ", constant("lamda")),
+        ("b", constant("b")),
+        ("θ", (theta, SymbolKind::AngularCoordinate)),
+    ] {
+        let symbol = elaborator.ring.symbol(generator).unwrap();
+        let name = Spanned {
+            value: Name::new(name),
+            span: 0..0,
+        };
+        let unit = Unit::one();
+        let meaning = Meaning::Symbol { symbol, unit, kind };
+        elaborator.scope.declare(&name, meaning, None).unwrap();
+    }
+    elaborator
+}
+
+fn statement(text: &str) -> StatementKind {
+    let source = SourceFile::new("test.md", block(text));
+    let document = parse_document(&source).unwrap_or_else(|errors| panic!("{text}: {errors:?}"));
+    document.statements[0].kind.clone()
+}
+
+fn assertion(text: &str) -> Assertion {
+    let StatementKind::Assertion {
+        expectation,
+        label,
+        relation,
+        order,
+        description,
+    } = statement(text)
+    else {
+        panic!("{text} asserts nothing");
+    };
+    Assertion {
+        label,
+        expectation,
+        relation,
+        order,
+        description,
+        line: 1,
+        span: 0..0,
+    }
+}
+
+/// What becomes of a finding about one assertion when another one is evaluated at points.
+fn judged(found: &str, evaluated: &str) -> Result<Verdict, DiagnosticKind> {
+    let mut elaborator = elaborator();
+    let mut finding = elaborator.find(&assertion(found)).expect(found);
+    finding.assertion = assertion(evaluated);
+    let mut judge = Judge::new(&elaborator.scope, &[], BTreeMap::<String, Signs>::new());
+    let claim = judge.judge(&finding);
+    claim.map(|claim| claim.verdict).map_err(|error| error.kind)
+}
+
+#[test]
+fn a_disagreement_stops_the_audit() {
+    for (found, verdict, evaluated) in [
+        (
+            "claim (1): (x + y)^2 == x^2 + 2*x*y + y^2",
+            Verdict::Holds,
+            "claim (1): (x + y)^2 == x^2 + y^2",
+        ),
+        (
+            "claim (1): x/x == 1",
+            Verdict::HoldsWhere,
+            "claim (1): x/x == 2",
+        ),
+        (
+            "claim (1): [x, y] == [x, y]",
+            Verdict::Holds,
+            "claim (1): [x, y] == [x, x]",
+        ),
+        ("claim (1): x^2 >= 0", Verdict::Holds, "claim (1): x^2 <= 0"),
+        (
+            "claim (1): x^2 + 1 > 0",
+            Verdict::Holds,
+            "claim (1): x^2 + 1 < 0",
+        ),
+        // A difference of 1 in what are numbers of six digits.
+        (
+            "claim (1): sin(θ)^2 + cos(θ)^2 == 1",
+            Verdict::Holds,
+            "claim (1): x == x + 1",
+        ),
+        (
+            "approximate (1): sin(θ) ≈ θ to order 2 in θ",
+            Verdict::Approximate,
+            "approximate (1): sin(θ) ≈ 2*θ to order 2 in θ",
+        ),
+        // Beyond the order, nothing is compared; at the order, everything is.
+        (
+            "approximate (1): cos(θ) ≈ 1 - θ^2/2 to order 2 in θ",
+            Verdict::Approximate,
+            "approximate (1): cos(θ) ≈ 1 to order 2 in θ",
+        ),
+    ] {
+        assert_eq!(judged(found, found), Ok(verdict), "{found}");
+        let outcome = judged(found, evaluated);
+        assert_eq!(outcome, Err(DiagnosticKind::Disagreement), "{evaluated}");
+    }
+}
+
+#[test]
+fn nothing_is_refuted_without_a_point() {
+    for (found, evaluated) in [
+        ("claim (1): x == y", "claim (1): x == x"),
+        ("claim (1): x > y", "claim (1): x == x"),
+        (
+            "approximate (1): sin(θ) ≈ 2*θ to order 2 in θ",
+            "approximate (1): sin(θ) ≈ θ to order 2 in θ",
+        ),
+    ] {
+        assert_eq!(judged(found, found), Ok(Verdict::Refuted), "{found}");
+        assert_eq!(judged(found, evaluated), Ok(Verdict::Undecided), "{found}");
+    }
+}
+
+#[test]
+fn a_matching_with_wrong_residuals_stops_the_audit() {
+    let mut elaborator = elaborator();
+    let text = "match (1) s: λ^2 + x*λ + y with (λ + b)*(λ + x) in λ unknown b at λ^1";
+    let StatementKind::Match(matching) = statement(text) else {
+        panic!("{text} matches nothing");
+    };
+    let matched = elaborator.match_coefficients(&matching, 1).expect(text);
+    let confirm = |matched: &Matched| {
+        let check = MatchingCheck::new(matched, &(0..0));
+        let mut judge = Judge::new(&elaborator.scope, &[], BTreeMap::<String, Signs>::new());
+        check.confirm(&mut judge).map_err(|error| error.kind)
+    };
+    assert_eq!(confirm(&matched), Ok(()));
+    assert_eq!(matched.table.len(), 3);
+    for row in 0..3 {
+        let mut wrong = matched.clone();
+        wrong.table[row].residual = parse_expression("x").unwrap();
+        assert_eq!(confirm(&wrong), Err(DiagnosticKind::Disagreement), "{row}");
+    }
+}
