@@ -3,5 +3,6 @@
 mod algebra;
 mod command;
 mod derivation;
+mod documentation;
 mod paper;
 mod syntax;

@@ -1,6 +1,6 @@
 //! A document: the statements of all its blocks.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use super::cursor::Cursor;
 use super::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
@@ -127,7 +127,7 @@ fn surely_begins(text: &str, tokens: &[Token]) -> bool {
 
 /// An error for every label whose identifier an earlier one has.
 fn duplicate_labels(statements: &[Statement]) -> Vec<Diagnostic> {
-    let mut first: HashMap<&str, &Label> = HashMap::new();
+    let mut first: BTreeMap<&str, &Label> = BTreeMap::new();
     let mut errors = Vec::new();
     for label in statements.iter().filter_map(label_of) {
         let Some(earlier) = first.get(label.id.as_str()) else {

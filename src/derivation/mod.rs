@@ -13,7 +13,7 @@ pub mod explanation;
 pub mod expression_parser;
 mod foundation;
 pub mod function;
-mod judge;
+pub mod judge;
 pub mod label;
 mod lexer;
 pub mod markdown;

@@ -2,7 +2,7 @@
 
 pub(crate) mod greek;
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use unicode_normalization::UnicodeNormalization;
 
@@ -109,7 +109,7 @@ impl DottedName {
 /// Which ASCII spellings a document chose for its names: `S_xθ` is `S_xt` where it was declared `as S_xt`.
 #[derive(Clone, Debug, Default)]
 pub struct Aliases {
-    declared: HashMap<String, Name>,
+    declared: BTreeMap<String, Name>,
 }
 
 impl Aliases {

@@ -1,0 +1,200 @@
+//! What the sources do not contain.
+
+use std::path::{Path, PathBuf};
+
+use super::page::root;
+
+/// Words that are no part of an exact and quiet computation, and where they may not stand.
+const FORBIDDEN: [(&str, &[&str]); 18] = [
+    ("f32", &EXACT),
+    ("f64", &EXACT),
+    ("fs", &QUIET),
+    ("env", &QUIET),
+    ("io", &QUIET),
+    ("net", &QUIET),
+    ("process", &QUIET),
+    ("time", &EXACT),
+    ("Instant", &QUIET),
+    ("SystemTime", &QUIET),
+    ("HashMap", &QUIET),
+    ("HashSet", &QUIET),
+    ("print", &QUIET),
+    ("println", &QUIET),
+    ("eprint", &QUIET),
+    ("eprintln", &QUIET),
+    ("dbg", &["src"]),
+    ("todo", &["src"]),
+];
+
+/// Where everything is exact.
+const EXACT: [&str; 2] = ["src/algebra", "src/derivation"];
+
+/// Where nothing is read or written, and nothing depends on anything but the documents.
+const QUIET: [&str; 4] = [
+    "src/algebra",
+    "src/derivation",
+    "src/documents.rs",
+    "src/report",
+];
+
+/// The Rust files in a folder and all folders in it, or the one file, in order.
+pub fn rust_files(path: &Path) -> Vec<PathBuf> {
+    if path.is_file() {
+        let is_rust = path.extension().is_some_and(|extension| extension == "rs");
+        return is_rust.then(|| path.to_owned()).into_iter().collect();
+    }
+    let entries = std::fs::read_dir(path).expect("a folder can be read");
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    paths.iter().flat_map(|path| rust_files(path)).collect()
+}
+
+/// A text with blanks in the place of comments and of what stands in quotation marks.
+fn code(text: &str) -> String {
+    let (mut code, mut rest) = (String::new(), text);
+    while let Some(first) = rest.chars().next() {
+        let raw = rest.trim_start_matches('r').trim_start_matches('#');
+        let hashes = "#".repeat(rest.len() - raw.len() - usize::from(rest.starts_with('r')));
+        let end = if rest.starts_with("//") {
+            rest.find('\n')
+        } else if rest.starts_with("/*") {
+            rest.find("*/").map(|end| end + 2)
+        } else if rest.starts_with('r')
+            && raw.starts_with('"')
+            && !code.ends_with(|before: char| before.is_alphanumeric() || before == '_')
+        {
+            let start = rest.len() - raw.len() + 1;
+            let end = rest[start..].find(&format!("\"{hashes}"));
+            end.map(|end| start + end + 1 + hashes.len())
+        } else if rest.starts_with('"') {
+            let mut escaped = false;
+            let end = rest[1..].find(|next: char| {
+                let ends = next == '"' && !escaped;
+                escaped = next == '\\' && !escaped;
+                ends
+            });
+            end.map(|end| end + 2)
+        } else if rest.starts_with("'\\") {
+            rest[3..].find('\'').map(|end| end + 4)
+        } else if first == '\'' && rest.chars().nth(2) == Some('\'') {
+            Some(
+                rest.char_indices()
+                    .nth(3)
+                    .map_or(rest.len(), |(end, _)| end),
+            )
+        } else {
+            code.push(first);
+            rest = &rest[first.len_utf8()..];
+            continue;
+        };
+        let (blanks, behind) = rest.split_at(end.unwrap_or(rest.len()));
+        code.extend(blanks.chars().map(|c| if c == '\n' { c } else { ' ' }));
+        rest = behind;
+    }
+    code
+}
+
+fn is_part_of_word(character: char) -> bool {
+    character.is_alphanumeric() || character == '_'
+}
+
+/// The words of a line: names, keywords, and numbers with their points.
+fn words(line: &str) -> impl Iterator<Item = &str> {
+    line.split(|c: char| !is_part_of_word(c) && c != '.')
+        .flat_map(|run| {
+            let is_number = run.starts_with(|c: char| c.is_ascii_digit());
+            let is_range = run.contains("..");
+            let parts: Vec<&str> = if is_number && !is_range {
+                vec![run]
+            } else {
+                run.split('.').collect()
+            };
+            parts
+        })
+        .filter(|word| !word.is_empty())
+}
+
+/// Whether a word is a number with a point or an exponent; `1.max(2)` and `0x1e3` are none.
+fn is_float(word: &str) -> bool {
+    let behind = word.trim_start_matches(|c: char| c.is_ascii_digit() || c == '_');
+    if !word.starts_with(|c: char| c.is_ascii_digit()) || word.starts_with("0x") {
+        return false;
+    }
+    match behind.strip_prefix('.') {
+        Some(fraction) => !fraction.starts_with(|c: char| c.is_alphabetic() || c == '_'),
+        None => {
+            behind.starts_with(['e', 'E', 'f'])
+                && behind[1..].chars().all(|c| c.is_ascii_digit() || c == '_')
+        }
+    }
+}
+
+fn floats(text: &str) -> Vec<String> {
+    let code = code(text);
+    let found = code.lines().flat_map(words).filter(|word| is_float(word));
+    found.map(str::to_owned).collect()
+}
+
+fn contains_word(text: &str, word: &str) -> bool {
+    code(text)
+        .lines()
+        .any(|line| words(line).any(|own| own == word))
+}
+
+#[test]
+fn computations_are_exact_and_quiet() {
+    let mut wrong = Vec::new();
+    let mut check = |folder: &str, what: &str, is_in: &dyn Fn(&str) -> bool| {
+        let files = rust_files(&root().join(folder));
+        assert!(!files.is_empty(), "no sources in {folder}");
+        for path in files {
+            let text = std::fs::read_to_string(&path).expect("a source can be read");
+            if is_in(&text) {
+                wrong.push(format!("{what} in {}", path.display()));
+            }
+        }
+    };
+    for folder in EXACT {
+        check(folder, "a floating-point number", &|text| {
+            !floats(text).is_empty()
+        });
+    }
+    for (word, folders) in FORBIDDEN {
+        for folder in folders {
+            check(folder, word, &|text| contains_word(text, word));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn what_is_forbidden_is_found() {
+    for (text, found) in [
+        ("let x = 1.5;", "1.5"),
+        ("f(2.)", "2."),
+        ("1e3", "1e3"),
+        ("1_000e-3", "1_000e"),
+        ("7f64", "7f64"),
+        ("a\n'\\'' 0.5 // \"", "0.5"),
+        ("'\"' + 0.25 + '\"'", "0.25"),
+        ("fn f<'a>(x: &'a T) { 3.0 }", "3.0"),
+        ("r#\"\"# + 2.5 + \"\"", "2.5"),
+        ("// 1.5", ""),
+        ("/* 1.5 */ \"\\\"1.5\" r#\"1.5\"1.5\"#", ""),
+        ("tuple.0.1 + 1.max(2) + 0..10 + 0x1e3 + 12_u8", ""),
+    ] {
+        assert_eq!(floats(text).join(" "), found, "{text}");
+    }
+    for (text, word, found) in [
+        ("use std::{fs, env};", "fs", true),
+        ("std::env::var(name)", "env", true),
+        ("dbg!(x)", "dbg", true),
+        ("x as f64", "f64", true),
+        ("x.env", "env", true),
+        ("// dbg!(x)", "dbg", false),
+        ("\"fs\" + offs + fs_", "fs", false),
+        ("FxHashMap", "HashMap", false),
+    ] {
+        assert_eq!(contains_word(text, word), found, "{word} in {text}");
+    }
+}
