@@ -65,7 +65,10 @@ fn the_map_names_every_file() {
             let is_there = parts
                 .flat_map(|folder| rust_files(folder))
                 .any(|path| path.ends_with(part));
-            assert!(is_there, "the map names {part}, which is not in {folders:?}");
+            assert!(
+                is_there,
+                "the map names {part}, which is not in {folders:?}"
+            );
         }
     }
     // Parts of a file stand in a folder of its name; a list of modules has nothing to say.

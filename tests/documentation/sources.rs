@@ -66,9 +66,9 @@ fn code(text: &str) -> String {
             let start = rest.len() - raw.len() + 1;
             let end = rest[start..].find(&format!("\"{hashes}"));
             end.map(|end| start + end + 1 + hashes.len())
-        } else if rest.starts_with('"') {
+        } else if let Some(inside) = rest.strip_prefix('"') {
             let mut escaped = false;
-            let end = rest[1..].find(|next: char| {
+            let end = inside.find(|next: char| {
                 let ends = next == '"' && !escaped;
                 escaped = next == '\\' && !escaped;
                 ends
