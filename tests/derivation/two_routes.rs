@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use sextic::algebra::budget::Budget;
 use sextic::algebra::generator::Generator;
 use sextic::algebra::sign::Signs;
-use sextic::derivation::assertion::Assertion;
+use sextic::derivation::assertion::{Assertion, Finding};
 use sextic::derivation::diagnostic::{DiagnosticKind, SourceFile};
 use sextic::derivation::document::parse_document;
 use sextic::derivation::elaboration::Elaborator;
@@ -85,14 +85,24 @@ fn assertion(text: &str) -> Assertion {
     }
 }
 
+/// What the second route makes of what the first one found.
+fn judged_by_points(
+    elaborator: &Elaborator,
+    findings: &[Finding],
+    matchings: &[MatchingCheck],
+) -> Result<Vec<Verdict>, DiagnosticKind> {
+    let mut judge = Judge::new(&elaborator.scope, &[], BTreeMap::<String, Signs>::new());
+    let claims = judge.judge_all(findings, matchings);
+    let verdicts = claims.map(|claims| claims.iter().map(|claim| claim.verdict).collect());
+    verdicts.map_err(|error| error.kind)
+}
+
 /// What becomes of a finding about one assertion when another one is evaluated at points.
 fn judged(found: &str, evaluated: &str) -> Result<Verdict, DiagnosticKind> {
     let mut elaborator = elaborator();
     let mut finding = elaborator.find(&assertion(found)).expect(found);
     finding.assertion = assertion(evaluated);
-    let mut judge = Judge::new(&elaborator.scope, &[], BTreeMap::<String, Signs>::new());
-    let claim = judge.judge(&finding);
-    claim.map(|claim| claim.verdict).map_err(|error| error.kind)
+    judged_by_points(&elaborator, &[finding], &[]).map(|verdicts| verdicts[0])
 }
 
 #[test]
@@ -168,8 +178,7 @@ fn a_matching_with_wrong_residuals_stops_the_audit() {
     let matched = elaborator.match_coefficients(&matching, 1).expect(text);
     let confirm = |matched: &Matched| {
         let check = MatchingCheck::new(matched, &(0..0));
-        let mut judge = Judge::new(&elaborator.scope, &[], BTreeMap::<String, Signs>::new());
-        check.confirm(&mut judge).map_err(|error| error.kind)
+        judged_by_points(&elaborator, &[], &[check]).map(drop)
     };
     assert_eq!(confirm(&matched), Ok(()));
     assert_eq!(matched.table.len(), 3);
