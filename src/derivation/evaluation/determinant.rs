@@ -2,28 +2,44 @@
 
 use std::collections::BTreeMap;
 
-use super::elimination::eliminate;
 use super::number::Number;
 use super::number::extension::Extension;
 
-/// Determinants of larger matrices are not expanded first.
-const MOST_ROWS_TO_EXPAND: usize = 6;
-
-/// |A| by expansion along the rows, each minor of the last rows computed once; of large matrices by
-/// elimination, if it finds its pivots.
+/// |A| by elimination; where no pivot is invertible although it is not 0, by expansion along the rows.
 pub fn determinant(matrix: &[Vec<Number>], extension: &Extension) -> Number {
-    if matrix.len() > MOST_ROWS_TO_EXPAND {
-        let nothing: Vec<Vec<Number>> = vec![Vec::new(); matrix.len()];
-        if let Some((determinant, _)) = eliminate(matrix, &nothing, extension) {
-            return determinant;
+    product_of_pivots(matrix.to_vec(), extension).unwrap_or_else(|| {
+        let columns: Vec<usize> = (0..matrix.len()).collect();
+        minor(matrix, &columns, extension, &mut BTreeMap::new())
+    })
+}
+
+fn product_of_pivots(mut rows: Vec<Vec<Number>>, extension: &Extension) -> Option<Number> {
+    let product = |a: &Number, b: &Number| extension.product(a, b);
+    let mut determinant = Number::from(1);
+    for column in 0..rows.len() {
+        let below = column..rows.len();
+        let pivot = below.clone().find_map(|row| {
+            let inverse = extension.inverse(&rows[row][column])?;
+            Some((row, inverse))
+        });
+        let Some((pivot, inverse)) = pivot else {
+            let mut entries = below.map(|row| &rows[row][column]);
+            return entries.all(Number::is_zero).then(Number::default);
+        };
+        if pivot != column {
+            rows.swap(pivot, column);
+            determinant = determinant.negative();
+        }
+        determinant = product(&determinant, &rows[column][column]);
+        let (above, below) = rows.split_at_mut(column + 1);
+        for row in below.iter_mut().filter(|row| !row[column].is_zero()) {
+            let factor = product(&row[column], &inverse);
+            for (entry, above) in row.iter_mut().zip(&above[column]).skip(column + 1) {
+                *entry = entry.difference(&product(&factor, above));
+            }
         }
     }
-    minor(
-        matrix,
-        &(0..matrix.len()).collect::<Vec<_>>(),
-        extension,
-        &mut BTreeMap::new(),
-    )
+    Some(determinant)
 }
 
 /// The minor of the last rows and as many columns.

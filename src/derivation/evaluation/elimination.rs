@@ -3,52 +3,37 @@
 use super::number::Number;
 use super::number::extension::Extension;
 
-/// Gaussian elimination on [A | B] with a square A: (|A|, A⁻¹B), the latter where A is invertible.
-///
-/// A pivot must be invertible, not only different from 0; nothing where there is none although the
-/// determinant may not be 0.
-pub fn eliminate(
+/// A⁻¹B by Gaussian elimination on [A | B]; nothing where a column has no invertible pivot.
+pub fn solution(
     matrix: &[Vec<Number>],
     right: &[Vec<Number>],
     extension: &Extension,
-) -> Option<(Number, Vec<Vec<Number>>)> {
+) -> Option<Vec<Vec<Number>>> {
     let size = matrix.len();
     let mut rows: Vec<Vec<Number>> = matrix
         .iter()
         .zip(right)
         .map(|(a, b)| a.iter().chain(b).cloned().collect())
         .collect();
-    let mut determinant = Number::from(1);
     for column in 0..size {
-        let pivot = (column..size).find(|row| extension.inverse(&rows[*row][column]).is_some());
-        let Some(pivot) = pivot else {
-            let all_zero = (column..size).all(|row| rows[row][column].is_zero());
-            return all_zero.then(|| (Number::default(), Vec::new()));
-        };
-        if pivot != column {
-            rows.swap(pivot, column);
-            determinant = determinant.negative();
-        }
-        determinant = extension.product(&determinant, &rows[column][column]);
-        let inverse = extension.inverse(&rows[column][column])?;
+        let (pivot, inverse) = (column..size).find_map(|row| {
+            let inverse = extension.inverse(&rows[row][column])?;
+            Some((row, inverse))
+        })?;
+        rows.swap(pivot, column);
         let normalised: Vec<Number> = rows[column]
             .iter()
             .map(|entry| extension.product(entry, &inverse))
             .collect();
-        for (index, row) in rows.iter_mut().enumerate() {
-            if index != column {
-                let factor = row[column].clone();
-                for (entry, pivot_entry) in row.iter_mut().zip(&normalised) {
-                    *entry = entry.difference(&extension.product(&factor, pivot_entry));
-                }
+        for row in &mut rows {
+            let factor = row[column].clone();
+            for (entry, pivot_entry) in row.iter_mut().zip(&normalised) {
+                *entry = entry.difference(&extension.product(&factor, pivot_entry));
             }
         }
         rows[column] = normalised;
     }
-    Some((
-        determinant,
-        rows.into_iter().map(|row| row[size..].to_vec()).collect(),
-    ))
+    Some(rows.into_iter().map(|row| row[size..].to_vec()).collect())
 }
 
 /// The columns that span {x : A·x = 0}, each with a 1 at a free place and zeros at the others; nothing

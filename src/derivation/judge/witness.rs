@@ -15,7 +15,7 @@ use super::sides::{compare, first_difference, sides};
 const MOST_POINTS: usize = 160;
 
 /// How many more once one with irrational sides is found.
-const MOST_POINTS_AFTER: usize = 16;
+const MOST_POINTS_AFTER: usize = 64;
 
 /// The first point at which the sides of what may be refuted differ, one with rational sides if there
 /// is one not much later.

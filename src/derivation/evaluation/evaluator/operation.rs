@@ -1,7 +1,7 @@
 //! Sums, products, quotients, powers and roots at a point.
 
 use crate::algebra::number::{Integer, Rational};
-use crate::derivation::evaluation::elimination::eliminate;
+use crate::derivation::evaluation::elimination::solution;
 use crate::derivation::evaluation::number::Number;
 use crate::derivation::evaluation::sample::Sample;
 use crate::derivation::evaluation::table::{
@@ -78,10 +78,7 @@ impl<'a> Evaluator<'a> {
 
     /// A⁻¹B.
     pub(super) fn solve(&self, matrix: &Table, right: &Table) -> Result<Table, Failure> {
-        let solved = eliminate(&numbers(matrix), &numbers(right), &self.point.extension);
-        match solved {
-            Some((_, solution)) if !solution.is_empty() => Ok(samples(solution)),
-            _ => Err("a matrix is singular".into()),
-        }
+        let solved = solution(&numbers(matrix), &numbers(right), &self.point.extension);
+        solved.map(samples).ok_or("a matrix is singular".into())
     }
 }
