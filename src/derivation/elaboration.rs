@@ -26,6 +26,7 @@ use super::unit::small_integer;
 
 use error::{algebra, different, shape};
 use limit::{MOST_PARTS, MOST_ROWS, check_nesting, check_terms};
+use substitution::KnownSubstitution;
 
 /// Turns expressions into elements of its ring, with units, and collects the conditions under which
 /// they exist.
@@ -38,6 +39,8 @@ pub struct Elaborator {
     /// What the steps since the last [`Elaborator::fresh`] needed.
     pub conditions: Conditions,
     arguments: Vec<BTreeMap<String, Value>>,
+    /// The named substitutions that were used, by ASCII name.
+    substitutions: BTreeMap<String, KnownSubstitution>,
     nesting: usize,
 }
 
@@ -49,6 +52,7 @@ impl Elaborator {
             scope: Scope::default(),
             conditions: Conditions::default(),
             arguments: Vec::new(),
+            substitutions: BTreeMap::new(),
             nesting: 0,
         }
     }

@@ -17,6 +17,16 @@ use crate::derivation::unit::Unit;
 use super::Elaborator;
 use super::error::{algebra, sides};
 
+/// What a named substitution came to.
+#[derive(Debug)]
+pub(super) struct KnownSubstitution {
+    images: Substitution,
+    /// What must hold for the images to exist.
+    conditions: Conditions,
+    /// Of how many polynomials something was assumed then.
+    assumed: usize,
+}
+
 impl Elaborator {
     /// What an expression is with the replacements of a place.
     pub(super) fn at(
@@ -88,11 +98,28 @@ impl Elaborator {
             }
             None => return Err(unknown(name, &self.scope, span)),
         };
+        // It means the same until more is assumed.
+        let assumed = self.ring.assumptions().polynomials().len();
+        let known = self.substitutions.get(&name.ascii);
+        if let Some(known) = known.filter(|known| known.assumed == assumed) {
+            self.conditions.extend(&known.conditions);
+            return Ok(known.images.clone());
+        }
+        let outer = std::mem::take(&mut self.conditions);
         // The arguments of a call mean nothing where the substitution was declared.
         self.arguments.push(BTreeMap::new());
-        let substitution = self.read_replacements(&replacements, span);
+        let images = self.read_replacements(&replacements, span);
         self.arguments.pop();
-        substitution
+        let conditions = std::mem::replace(&mut self.conditions, outer);
+        self.conditions.extend(&conditions);
+        let known = KnownSubstitution {
+            images: images?,
+            conditions,
+            assumed,
+        };
+        let images = known.images.clone();
+        self.substitutions.insert(name.ascii.clone(), known);
+        Ok(images)
     }
 
     fn read_replacements(
