@@ -19,6 +19,8 @@ pub enum AlgebraError {
     NotAnAngle,
     /// The sign of a root depends on a sign that is not known.
     UnknownSign,
+    /// What stands under a root is negative.
+    NegativeRadicand,
 }
 
 impl fmt::Display for AlgebraError {
@@ -32,6 +34,7 @@ impl fmt::Display for AlgebraError {
             }
             AlgebraError::NotAnAngle => f.write_str("not a sum of angles with whole coefficients"),
             AlgebraError::UnknownSign => f.write_str("the sign of a root is not known"),
+            AlgebraError::NegativeRadicand => f.write_str("the root of a negative element"),
         }
     }
 }

@@ -46,10 +46,10 @@ impl Ring {
         small: &[Symbol],
         order: u32,
     ) -> Result<Vec<Fraction>, AlgebraError> {
-        self.expand_until(element, small, order, |_| false)
+        self.expand_until(element, small, order, |_, _| false)
     }
 
-    /// The parts of an element as [`Ring::expand`] gives them, up to the first that is wanted.
+    /// The parts of an element as [`Ring::expand`] gives them, up to the first that may be the last.
     ///
     /// The part of degree k is Dᵏf/k! at q = 0, with D the derivative along q: it maps each qᵢ to a
     /// constant δᵢ, which is read as qᵢ in the end.
@@ -58,7 +58,7 @@ impl Ring {
         element: &Fraction,
         small: &[Symbol],
         order: u32,
-        wanted: impl Fn(&Fraction) -> bool,
+        last: impl Fn(u32, &Fraction) -> bool,
     ) -> Result<Vec<Fraction>, AlgebraError> {
         let mut along = BTreeMap::new();
         let mut at_zero = Substitution::new();
@@ -88,9 +88,9 @@ impl Ring {
                 let value = self.substitute(&value, &back)?;
                 self.quotient(&value, &Fraction::from(Rational::from(factorial.clone())))?
             };
-            let last = wanted(&part);
+            let enough = last(degree, &part);
             parts.push(part);
-            if last {
+            if enough {
                 break;
             }
         }
@@ -157,7 +157,7 @@ impl Ring {
     }
 
     /// The least degree in the small quantities at which an element has a term, and that term, looking
-    /// no further than `highest`.
+    /// no further than `highest`; the expansion must exist up to the degree `stated`.
     ///
     /// Complexity: that of [`Ring::expand`] to the degree `highest`.
     ///
@@ -168,9 +168,12 @@ impl Ring {
         &mut self,
         element: &Fraction,
         small: &[Symbol],
+        stated: u32,
         highest: u32,
     ) -> Result<Option<(u32, Fraction)>, AlgebraError> {
-        let parts = self.expand_until(element, small, highest, |part| !part.is_zero())?;
+        let parts = self.expand_until(element, small, highest, |degree, part| {
+            degree >= stated && !part.is_zero()
+        })?;
         Ok((0..).zip(parts).find(|(_, part)| !part.is_zero()))
     }
 }

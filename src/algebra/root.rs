@@ -23,9 +23,10 @@ impl Ring {
     ///
     /// # Errors
     ///
-    /// [`AlgebraError::UnknownSign`] where a is a square, but of a factor whose sign is not known, or
-    /// where a is negative; [`AlgebraError::TooManySymbols`] where the ring is full;
-    /// [`AlgebraError::Exhausted`] where the budget or a polynomial's size runs out.
+    /// [`AlgebraError::NegativeRadicand`] where a is negative; [`AlgebraError::UnknownSign`] where it may
+    /// not be positive, or is a square, but of a factor whose sign is not known;
+    /// [`AlgebraError::TooManySymbols`] where the ring is full; [`AlgebraError::Exhausted`] where the
+    /// budget or a polynomial's size runs out.
     ///
     /// ```
     /// use sextic::algebra::{
@@ -44,8 +45,12 @@ impl Ring {
         if element.is_zero() {
             return Ok(self.zero());
         }
-        if !self.signs(element)?.positive {
-            return Err(AlgebraError::UnknownSign);
+        let signs = self.signs(element)?;
+        if !signs.positive {
+            return Err(match signs.zero {
+                true => AlgebraError::UnknownSign,
+                false => AlgebraError::NegativeRadicand,
+            });
         }
         let under = element
             .numerator()

@@ -88,7 +88,7 @@ impl Elaborator {
         let span = &assertion.span;
         let relation = &assertion.relation;
         if let Some(order) = &assertion.order {
-            check_order(order.order, span)?;
+            check_order(order.order.value, &order.order.span)?;
             if relation.comparison != Comparison::Equal {
                 let message = "only an equation can hold to an order";
                 return Err(

@@ -81,7 +81,7 @@ impl Cursor<'_> {
 
     /// `assume L_g < r "…"`
     pub(crate) fn assume(&mut self) -> Parsed<StatementKind> {
-        let relation = self.relation()?;
+        let relation = self.relation("`<`, `<=`, `>` or `>=`")?;
         Ok(StatementKind::Assume {
             relation,
             description: self.description()?,
@@ -109,16 +109,17 @@ impl Cursor<'_> {
             arguments = self.names("the name of an argument")?;
             self.expect_closing(TokenKind::CloseRound, &open)?;
         }
+        let is_function = !arguments.is_empty();
+        if is_function && (names.len() > 1 || self.peek() == Some(TokenKind::Comma)) {
+            return Err(
+                Diagnostic::syntax(open, "only one function can be defined at a time")
+                    .with_label("arguments among several names")
+                    .with_help("write a definition for each function"),
+            );
+        }
         if self.accept(TokenKind::Define).is_none() {
             let help = "a definition is written `X := …`";
             return Err(self.expected("`:=`").with_help(help));
-        }
-        if !arguments.is_empty() && names.len() > 1 {
-            return Err(
-                Diagnostic::syntax(open, "only one function can be defined at a time")
-                    .with_label("arguments behind several names")
-                    .with_help("write a definition for each function"),
-            );
         }
         let start = self.here().start;
         let values = self.expressions()?;
@@ -229,7 +230,9 @@ impl Cursor<'_> {
                 "this is not a sign that can be declared",
             )
             .with_label("expected `> 0`, `>= 0` or `!= 0`")
-            .with_help("write other assumptions as `assume L_g < r`")),
+            .with_help(
+                "write other assumptions as `assume L_g < r`, with a unit that fits; 0 fits every unit",
+            )),
         }
     }
 }

@@ -129,6 +129,11 @@ fn surely_begins(text: &str, tokens: &[Token]) -> bool {
 fn duplicate_labels(statements: &[Statement]) -> Vec<Diagnostic> {
     let mut first: BTreeMap<&str, &Label> = BTreeMap::new();
     let mut errors = Vec::new();
+    let taken: Vec<&str> = statements
+        .iter()
+        .filter_map(label_of)
+        .map(|l| &*l.id)
+        .collect();
     for label in statements.iter().filter_map(label_of) {
         let Some(earlier) = first.get(label.id.as_str()) else {
             first.insert(&label.id, label);
@@ -139,7 +144,10 @@ fn duplicate_labels(statements: &[Statement]) -> Vec<Diagnostic> {
             Diagnostic::new(DiagnosticKind::Duplicate, label.span.clone(), message)
                 .with_label("the same again")
                 .with_secondary(earlier.span.clone(), "the first one")
-                .with_help("tell them apart by words behind a comma: `(8, printed)`"),
+                .with_help(format!(
+                    "give one of them a label that no other has, such as `{}`",
+                    label.free_variant(&taken)
+                )),
         );
     }
     errors

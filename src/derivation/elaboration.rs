@@ -13,6 +13,7 @@ use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::budget::Budget;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::generator::Generator;
+use crate::algebra::number::Rational;
 use crate::algebra::ring::Ring;
 use crate::algebra::symbol::Symbol;
 
@@ -167,13 +168,18 @@ impl Elaborator {
     /// A small natural number.
     pub fn natural(&mut self, expression: &Expression) -> Result<usize, Diagnostic> {
         let number = self.scalar(expression)?.value.as_constant();
-        let small = number.as_ref().and_then(small_integer);
+        let whole = number.filter(|number| number.is_int() && *number >= Rational::ZERO);
+        let kind = match whole {
+            Some(_) => DiagnosticKind::Budget,
+            None => DiagnosticKind::Arguments,
+        };
+        let small = whole.as_ref().and_then(small_integer);
         small
             .and_then(|n| usize::try_from(n).ok())
             .filter(|n| *n <= MOST_ROWS)
             .ok_or_else(|| {
                 let message = "a small whole number is needed here";
-                Diagnostic::new(DiagnosticKind::Arguments, expression.span.clone(), message)
+                Diagnostic::new(kind, expression.span.clone(), message)
                     .with_label(format!("not one of 0, 1, …, {MOST_ROWS}"))
                     .with_help("places, sizes, powers and orders are plain numbers, and not larger")
             })

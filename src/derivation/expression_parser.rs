@@ -102,11 +102,12 @@ impl Cursor<'_> {
         Ok(expressions)
     }
 
-    /// `left == right`
-    pub(crate) fn relation(&mut self) -> Parsed<Relation> {
+    /// `left == right`; `comparisons` says which signs may stand between the sides.
+    pub(crate) fn relation(&mut self, comparisons: &str) -> Parsed<Relation> {
         let left = self.expression()?;
         let Some(comparison) = self.accept_comparison() else {
-            return Err(self.expected_after_operand("`==`, `<`, `<=`, `>` or `>=`"));
+            let unexpected = || self.expected_after_operand(comparisons);
+            return Err(self.surplus_bracket().unwrap_or_else(unexpected));
         };
         let right = self.expression()?;
         let here = self.here();
@@ -169,7 +170,7 @@ impl Cursor<'_> {
     fn place(&mut self) -> Parsed<(Place, usize)> {
         let Some(open) = self.accept(TokenKind::OpenRound) else {
             let what = "the name of a substitution, or `(x = …)`";
-            return Ok((Place::Named(self.name(what)?.value), 0));
+            return Ok((Place::Named(self.name(what)?), 0));
         };
         let (replacements, height) = self.measured_replacements()?;
         self.expect_closing(TokenKind::CloseRound, &open)?;

@@ -95,7 +95,7 @@ impl<'a> Foundation<'a> {
                 let sources = sources.iter().map(|source| Step::Expression(source, &[]));
                 self.open.extend(sources);
                 for replacement in replacements {
-                    let place = Place::Named(name.clone());
+                    let place = Place::named(name.clone());
                     let target = Box::new(replacement.target.clone());
                     let left = Expression::made(Node::At(target, place));
                     self.open.push(Step::Expression(&replacement.value, &[]));

@@ -49,6 +49,28 @@ fn arity(name: &str) -> usize {
     }
 }
 
+/// How a built-in function is called.
+fn usage(name: &str) -> &'static str {
+    match name {
+        "sin" | "cos" | "tan" | "cot" => "write a call for each angle, such as `sin(α)`",
+        "sqrt" => "write a call for each root: `sqrt(a)`",
+        "angle" => "write `angle(x, y)`, with the components of the vector side by side",
+        "dt" => "write `dt(a)`, or `dt([a; b])` for several",
+        "d" => "write `d(f, x)`, or `d([f; g], [x; y])` for several",
+        "det" | "adjugate" | "inverse" | "trace" | "transpose" | "kernel" => {
+            "write one matrix between the brackets, such as `det([a, b; c, d])`"
+        }
+        "solve" => "write `solve(M, b)`, with a column for b, such as `[1; 2]`",
+        "identity" => "write `identity(n)`: it is square",
+        "zero" => "write `zero(n, k)`, for n rows and k columns",
+        "row" | "column" => "write `row(M, n)` or `column(M, n)`",
+        "submatrix" => "write `submatrix(M, [1, 2], [1, 3])`: the matrix, its rows, its columns",
+        "coefficient" => "write `coefficient(p, λ, n)`, for the coefficient of λⁿ",
+        "hurwitz" => "write `hurwitz(p, λ, n)`, for the n-th determinant",
+        _ => "write `truncate(a, [x; y], n)`: the expression, the small quantities, the order",
+    }
+}
+
 impl Elaborator {
     /// What a built-in function gives.
     ///
@@ -117,7 +139,10 @@ impl Elaborator {
             ("row", [matrix, place]) => self.row_of(matrix, place),
             ("column", [matrix, place]) => self.column_of(matrix, place),
             ("submatrix", [matrix, rows, columns]) => self.submatrix(matrix, rows, columns, span),
-            _ => Err(argument_count(function, arity(name), arguments.len(), span)),
+            _ => {
+                let (wanted, given) = (arity(name), arguments.len());
+                Err(argument_count(function, wanted, given, usage(name), span))
+            }
         }
     }
 

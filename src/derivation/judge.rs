@@ -20,7 +20,7 @@ use super::verdict::{Claim, Verdict, Witness};
 
 use points::{NO_POINT, Points, random_point, simple_point};
 use sides::{compare, sides};
-use witness::witness;
+use witness::{Fruitless, witness};
 
 /// At how many random points every assertion is evaluated.
 const POINTS: usize = 2;
@@ -78,7 +78,7 @@ impl<'a> Judge<'a> {
             });
             let checked: Vec<_> = checked.collect();
             let witnesses = findings.iter().map(|finding| witness(candidates, finding));
-            let witnesses: Vec<Option<Witness>> = witnesses.collect();
+            let witnesses: Vec<Result<Witness, Fruitless>> = witnesses.collect();
             let join = |thread: thread::ScopedJoinHandle<'_, _>| {
                 thread.join().unwrap_or_else(|panic| resume_unwind(panic))
             };
@@ -141,7 +141,8 @@ fn check<'a>(evaluator: &mut Evaluator<'a>, finding: &'a Finding) -> Checked {
         Err(reason) => return Ok(Err(format!("cannot be evaluated at a point: {reason}"))),
     };
     for (left, right) in sides {
-        match compare(&left, &right, assertion.relation.comparison) {
+        let extension = &evaluator.point().extension;
+        match compare(&left, &right, assertion.relation.comparison, extension) {
             Some(true) => {}
             Some(false) => return Err(disagreement(&assertion.span)),
             None => return Ok(Err("the sides cannot be compared at a point".into())),
@@ -151,7 +152,11 @@ fn check<'a>(evaluator: &mut Evaluator<'a>, finding: &'a Finding) -> Checked {
 }
 
 /// The claim that a finding becomes with what the points showed.
-fn claim(finding: &Finding, points: Result<usize, Failure>, witness: Option<Witness>) -> Claim {
+fn claim(
+    finding: &Finding,
+    points: Result<usize, Failure>,
+    witness: Result<Witness, Fruitless>,
+) -> Claim {
     let mut claim = undecided(finding);
     match (&finding.outcome, points, witness) {
         (Outcome::IllFormed(reason), ..) => {
@@ -166,12 +171,12 @@ fn claim(finding: &Finding, points: Result<usize, Failure>, witness: Option<Witn
             }
         }
         (Outcome::True | Outcome::TrueToOrder, Err(reason), _) => claim.reason = Some(reason),
-        (Outcome::Different(_) | Outcome::Open, _, Some(witness)) => {
+        (Outcome::Different(_) | Outcome::Open, _, Ok(witness)) => {
             claim.witness = Some(witness);
             claim.verdict = Verdict::Refuted;
         }
-        (Outcome::Different(_) | Outcome::Open, _, None) => {
-            claim.reason = Some(no_witness(&finding.outcome).to_string());
+        (Outcome::Different(_) | Outcome::Open, _, Err(fruitless)) => {
+            claim.reason = Some(no_witness(&finding.outcome, &fruitless));
         }
         (Outcome::Unresolved(reason), ..) => claim.reason = Some((*reason).to_string()),
     }
@@ -211,16 +216,36 @@ fn verdict_on_truth(finding: &Finding) -> Verdict {
 fn beyond_order(assertion: &Assertion) -> Option<(u32, Vec<Name>)> {
     let order = assertion.order.as_ref()?;
     let small = order.small.iter().map(|small| small.value.clone());
-    Some((order.order + 1, small.collect()))
+    Some((order.order.value + 1, small.collect()))
 }
 
 /// Why nothing is refuted without a point.
-fn no_witness(outcome: &Outcome) -> &'static str {
-    match outcome {
-        Outcome::Open => {
-            "the signs of the parameters do not decide it, and no point contradicts it"
+fn no_witness(outcome: &Outcome, fruitless: &Fruitless) -> String {
+    let (found, contradicts) = match outcome {
+        Outcome::Open => (
+            "the signs of the parameters do not decide it",
+            "no point contradicts it",
+        ),
+        _ => (
+            "the normal forms differ",
+            "no point was found at which the sides do",
+        ),
+    };
+    match fruitless {
+        Fruitless::NoPoint => format!("{found}, but {NO_POINT}"),
+        Fruitless::NoValue(reason) => {
+            format!("{found}, but it cannot be evaluated at a point: {reason}")
         }
-        _ => "the normal forms differ, but no point was found at which the sides do",
+        Fruitless::NoOrder => {
+            format!("{found}, and at points its sides are numbers without an order")
+        }
+        Fruitless::NoConditions => {
+            format!("{found}, but no point was found that satisfies its conditions")
+        }
+        Fruitless::Agreed => match outcome {
+            Outcome::Open => format!("{found}, and {contradicts}"),
+            _ => format!("{found}, but {contradicts}"),
+        },
     }
 }
 

@@ -43,6 +43,24 @@ impl Cursor<'_> {
     }
 }
 
+impl Label {
+    /// This label with the first number that makes it another than all that are taken, as it would
+    /// stand in the document.
+    pub(crate) fn free_variant(&self, taken: &[&str]) -> String {
+        let (number, rest) = match self.text.split_once(',') {
+            Some((number, rest)) => (number, format!(",{rest}")),
+            None => (self.text.as_str(), String::new()),
+        };
+        let variants = (2..).map(|count| format!("{number}, {count}{rest}"));
+        let mut free = variants.filter(|text| !taken.contains(&identifier(text).as_str()));
+        let text = free.next().unwrap_or_default();
+        match self.equation {
+            Some(_) => format!("({text})"),
+            None => format!("[{text}]"),
+        }
+    }
+}
+
 /// What stands before the first comma.
 fn first_part(text: &str) -> &str {
     text.split(',').next().unwrap_or(text).trim()

@@ -34,7 +34,11 @@ pub fn blocks(text: &str) -> (Blocks, Vec<Diagnostic>) {
                 }
             }
             Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(information))) => {
-                let is_ours = information.split_whitespace().next() == Some(LANGUAGE);
+                let language = information.split_whitespace().next().unwrap_or_default();
+                let is_ours = language == LANGUAGE;
+                if !is_ours && language.eq_ignore_ascii_case(LANGUAGE) {
+                    errors.push(misspelt(text, &span, language));
+                }
                 match lines_of(text, &span, is_ours) {
                     Ok(lines) if is_ours => found.blocks.push(lines),
                     Ok(_) => {}
@@ -45,6 +49,17 @@ pub fn blocks(text: &str) -> (Blocks, Vec<Diagnostic>) {
         }
     }
     (found, errors)
+}
+
+/// A block whose language is written in capital letters would be passed over.
+fn misspelt(text: &str, block: &Span, language: &str) -> Diagnostic {
+    let line = text[block.clone()].lines().next().unwrap_or_default();
+    let message = format!("a block of `{language}` is not read");
+    Diagnostic::syntax(block.start..block.start + line.len(), message)
+        .with_label("not spelled in lower-case letters")
+        .with_help(format!(
+            "begin the block with `{LANGUAGE}` behind its fence"
+        ))
 }
 
 /// The lines between the fences of a block.

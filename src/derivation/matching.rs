@@ -180,7 +180,14 @@ impl Elaborator {
 
     /// The coefficients of both polynomials, which must have equal units.
     fn coefficients_to_match(&mut self, matching: &Matching) -> Result<Coefficients, Diagnostic> {
-        let power = |power: &Spanned<u32>| (format!("power {}", power.value), power.span.clone());
+        let power = |power: &Spanned<u32>| {
+            let written = match power.value {
+                0 => "1".to_string(),
+                1 => matching.variable.value.to_string(),
+                value => format!("{}^{value}", matching.variable.value),
+            };
+            (written, power.span.clone())
+        };
         different(&matching.powers.iter().map(power).collect::<Vec<_>>())?;
         let variable = self.variable(&matching.variable)?;
         let unknowns = self.variables(&matching.unknowns)?;

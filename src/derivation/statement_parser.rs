@@ -5,6 +5,7 @@ use dashu_base::UnsignedAbs as _;
 use super::cursor::{Cursor, Parsed};
 use super::diagnostic::{Diagnostic, nearest};
 use super::lexer::TokenKind;
+use super::name::DottedName;
 use super::syntax::{
     BinaryOperator, Expectation, Expression, Matching, Name, Node, Order, Spanned, Statement,
     StatementKind,
@@ -118,7 +119,7 @@ impl Cursor<'_> {
     fn assertion(&mut self, expectation: Expectation) -> Parsed<StatementKind> {
         let label = self.label()?;
         self.expect(TokenKind::Colon, "`:`")?;
-        let relation = self.relation()?;
+        let relation = self.relation("`==`, `<`, `<=`, `>` or `>=`")?;
         let order = self.order()?;
         let description = self.description()?;
         let what = match (&order, &description) {
@@ -157,9 +158,30 @@ impl Cursor<'_> {
         };
         self.expect_word("in")?;
         Ok(Some(Order {
-            order,
-            small: self.names("the name of a small quantity")?,
+            order: Spanned { value: order, span },
+            small: self.small_quantities()?,
         }))
+    }
+
+    /// `ρ, b_1`: names, and nothing that is made of them.
+    fn small_quantities(&mut self) -> Parsed<Vec<Spanned<Name>>> {
+        let mut small = Vec::new();
+        loop {
+            let span = self.here();
+            let is_rate = self.peek_at(1) == Some(TokenKind::OpenRound)
+                || DottedName::read(self.peek_text()).is_ok_and(|dotted| dotted.dots > 0);
+            if self.peek() == Some(TokenKind::Name) && is_rate {
+                let message =
+                    "a small quantity is a parameter, an angle, a coordinate or a function";
+                return Err(Diagnostic::syntax(span, message)
+                    .with_label("not the name of one")
+                    .with_help("expand in rates with `truncate(…, [ẋ; ẏ], 1)`"));
+            }
+            small.push(self.name("the name of a small quantity")?);
+            if self.accept(TokenKind::Comma).is_none() {
+                return Ok(small);
+            }
+        }
     }
 
     /// `(15, mode 1) of K, M: value ω_n^2 vector [0; 1; 0] "…"`
@@ -211,7 +233,7 @@ impl Cursor<'_> {
             Vec::new()
         };
         let small = if self.accept_word("small") {
-            self.names("the name of a small quantity")?
+            self.small_quantities()?
         } else {
             Vec::new()
         };

@@ -31,13 +31,19 @@ impl fmt::Display for Name {
     }
 }
 
-/// A thing together with the place where it stands.
+/// A thing together with the place where it stands; two are equal wherever they stand.
 #[derive(Clone, Debug)]
 pub struct Spanned<T> {
     /// The thing.
     pub value: T,
     /// Where it stands.
     pub span: Span,
+}
+
+impl<T: PartialEq> PartialEq for Spanned<T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.value == other.value
+    }
 }
 
 /// An expression and its place; two expressions are equal when they say the same, wherever they stand.
@@ -104,9 +110,19 @@ pub enum BinaryOperator {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Place {
     /// A `substitution` or a `match` of the document, by name.
-    Named(Name),
+    Named(Spanned<Name>),
     /// Replacements on the spot.
     Replacements(Vec<Replacement>),
+}
+
+impl Place {
+    /// A place by name that stands nowhere in a document.
+    pub fn named(name: Name) -> Self {
+        Place::Named(Spanned {
+            value: name,
+            span: 0..0,
+        })
+    }
 }
 
 /// `dt(x) = 0`.
@@ -185,7 +201,7 @@ pub enum Expectation {
 #[derive(Clone, Debug)]
 pub struct Order {
     /// Terms up to this total degree must agree.
-    pub order: u32,
+    pub order: Spanned<u32>,
     /// The small quantities, by name.
     pub small: Vec<Spanned<Name>>,
 }

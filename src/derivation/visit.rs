@@ -36,7 +36,7 @@ impl Expression {
             Node::At(inner, place) => {
                 inner.visit_names(visit);
                 match place {
-                    Place::Named(name) => visit(name),
+                    Place::Named(name) => visit(&name.value),
                     Place::Replacements(replacements) => {
                         for replacement in replacements {
                             replacement.value.visit_names(visit);

@@ -206,7 +206,7 @@ fn any_expression(with_primes: bool) -> impl Strategy<Value = Expression> {
         let replacement = (inner.clone(), inner.clone())
             .prop_map(|(target, value)| Replacement { target, value });
         let place = prop_oneof![
-            any_name().prop_map(Place::Named),
+            any_name().prop_map(Place::named),
             proptest::collection::vec(replacement, 1..3).prop_map(Place::Replacements),
         ];
         let function = prop_oneof![Just(Name::new("sqrt")), any_name()];

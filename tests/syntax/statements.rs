@@ -131,7 +131,7 @@ fn summary(statement: &Statement) -> String {
             let relation = Notation::Ascii.relation(relation);
             let order = order
                 .as_ref()
-                .map(|order| format!("{} in {}", order.order, names(&order.small)));
+                .map(|order| format!("{} in {}", order.order.value, names(&order.small)));
             format!(
                 "{expectation:?} {} | {relation} | {order:?} | {description:?}",
                 label(named)

@@ -9,7 +9,7 @@ use crate::algebra::sign::Signs;
 use crate::algebra::symbol::Symbol;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
-use crate::derivation::elaboration::error::algebra;
+use crate::derivation::elaboration::error::{algebra, expansion};
 use crate::derivation::syntax::{Comparison, Order, Relation, Span};
 
 use super::Outcome;
@@ -72,13 +72,14 @@ impl Elaborator {
         span: &Span,
     ) -> Result<(Outcome, Option<Fraction>), Diagnostic> {
         let small = self.variables(&order.small)?;
-        let wrap = |error| algebra(error, span);
+        let names: Vec<String> = order.small.iter().map(|s| s.value.to_string()).collect();
+        let stated = order.order.value;
         let mut leading: Option<(u32, Fraction)> = None;
         for difference in differences {
             let found = self
                 .ring
-                .leading_part(difference, &small, order.order + RESIDUAL_ORDERS)
-                .map_err(wrap)?;
+                .leading_part(difference, &small, stated, stated + RESIDUAL_ORDERS)
+                .map_err(|error| expansion(error, &names, span))?;
             let earlier = leading
                 .as_ref()
                 .is_none_or(|(least, _)| found.as_ref().is_some_and(|(degree, _)| degree < least));
@@ -88,12 +89,10 @@ impl Elaborator {
         }
         Ok(match leading {
             _ if differences.iter().all(Fraction::is_zero) => (Outcome::True, None),
-            Some((degree, _)) if degree <= order.order => {
-                match self.rests_on_direction(differences) {
-                    true => (Outcome::Unresolved(DIRECTION), None),
-                    false => (Outcome::Different(Some(degree)), None),
-                }
-            }
+            Some((degree, _)) if degree <= stated => match self.rests_on_direction(differences) {
+                true => (Outcome::Unresolved(DIRECTION), None),
+                false => (Outcome::Different(Some(degree)), None),
+            },
             Some((_, residual)) => (Outcome::TrueToOrder, Some(residual)),
             None => (Outcome::TrueToOrder, None),
         })

@@ -23,7 +23,8 @@ impl Elaborator {
         match self.scope.get(function).map(|entry| entry.meaning.clone()) {
             Some(Meaning::Function { .. }) => {
                 let [argument] = arguments else {
-                    return Err(argument_count(function, 1, arguments.len(), span));
+                    let usage = format!("write `{function}(…)` for each of the arguments");
+                    return Err(argument_count(function, 1, arguments.len(), &usage, span));
                 };
                 let argument = self.scalar(argument)?;
                 self.function_value(function, order, Some(argument), span)
@@ -33,7 +34,11 @@ impl Elaborator {
                 expression,
             }) => {
                 if names.len() != arguments.len() {
-                    return Err(argument_count(function, names.len(), arguments.len(), span));
+                    let written: Vec<&str> =
+                        names.iter().map(|name| name.unicode.as_str()).collect();
+                    let usage = format!("it is defined as `{function}({})`", written.join(", "));
+                    let (wanted, given) = (names.len(), arguments.len());
+                    return Err(argument_count(function, wanted, given, &usage, span));
                 }
                 self.template(function, names, &expression, arguments, span)
             }

@@ -19,7 +19,7 @@ pub fn algebra(error: AlgebraError, span: &Span) -> Diagnostic {
             DiagnosticKind::Budget,
             format!("this is too large to compute: {limit}"),
             "given up here",
-            "break it into parts, or give names to what need not be expanded",
+            "claim less at once, or let a `parameter` stand for a part: definitions are expanded",
         ),
         AlgebraError::TooManySymbols => (
             DiagnosticKind::Budget,
@@ -45,9 +45,37 @@ pub fn algebra(error: AlgebraError, span: &Span) -> Diagnostic {
             "a root of what may be negative, or of a square whose base may be",
             "state a sign with `parameter … > 0` or `assume … > 0`; for √−1 declare `imaginary i`",
         ),
+        AlgebraError::NegativeRadicand => (
+            DiagnosticKind::Unsupported,
+            "what stands under this root is negative".to_string(),
+            "roots are real here",
+            "declare `imaginary i` and write `i*sqrt(…)` with the opposite under the root",
+        ),
     };
     Diagnostic::new(kind, span.clone(), message)
         .with_label(label)
+        .with_help(help)
+}
+
+/// What the algebra could not do where it expands in small quantities.
+pub fn expansion(error: AlgebraError, small: &[String], span: &Span) -> Diagnostic {
+    unexpandable(algebra(error, span), small, span)
+}
+
+/// A division by 0 where small quantities vanish is one that leaves no expansion in them.
+pub fn unexpandable(error: Diagnostic, small: &[String], span: &Span) -> Diagnostic {
+    if error.kind != DiagnosticKind::DivisionByZero {
+        return error;
+    }
+    let (place, first) = (small.join(" = "), small.first());
+    let first = first.map_or("x", String::as_str);
+    let middle = if first == "a" { "c" } else { "a" };
+    let message = format!("this has no expansion where {place} = 0");
+    let help = format!(
+        "expand about a value other than 0: `(…) at ({first} = {middle} + {first})`, with `parameter {middle} : … > 0`"
+    );
+    Diagnostic::new(error.kind, span.clone(), message)
+        .with_label("it, or a derivative of it, has no value there")
         .with_help(help)
 }
 
@@ -110,8 +138,14 @@ pub fn mismatch(
     .with_secondary(right.span.clone(), size(b))
 }
 
-/// A wrong number of arguments.
-pub fn argument_count(function: &Name, wanted: usize, given: usize, span: &Span) -> Diagnostic {
+/// A wrong number of arguments; `usage` is what to write.
+pub fn argument_count(
+    function: &Name,
+    wanted: usize,
+    given: usize,
+    usage: &str,
+    span: &Span,
+) -> Diagnostic {
     let message = format!("`{function}` takes {wanted} arguments, not {given}");
     let message = if wanted == 1 {
         message.replace("arguments", "argument")
@@ -120,9 +154,7 @@ pub fn argument_count(function: &Name, wanted: usize, given: usize, span: &Span)
     };
     Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
         .with_label(format!("{given} given"))
-        .with_help(
-            "separate arguments by `,`; the entries of a vector stand in one pair of brackets",
-        )
+        .with_help(usage)
 }
 
 /// Requires that nothing is named twice.

@@ -9,7 +9,7 @@ use crate::derivation::syntax::{Name, Span};
 /// The largest side of a matrix.
 pub const MOST_ROWS: usize = 64;
 
-/// How deep definitions with arguments may call each other.
+/// How many definitions with arguments may be called within each other.
 const DEEPEST_CALL: usize = 32;
 
 /// How deep expressions may be nested, calls included; what evaluates them is recursive.
@@ -32,11 +32,13 @@ pub fn check_calls(depth: usize, function: &Name, span: &Span) -> Result<(), Dia
     if depth < DEEPEST_CALL {
         return Ok(());
     }
-    let message = format!("`{function}` calls itself too deeply");
+    let message = format!("more than {DEEPEST_CALL} definitions within each other");
     Err(
         Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
-            .with_label(format!("more than {DEEPEST_CALL} calls within each other"))
-            .with_help("a definition cannot call itself"),
+            .with_label(format!("`{function}` is one too many"))
+            .with_help(
+                "no definition calls itself, not even by others; in a chain, put what one says into the next",
+            ),
     )
 }
 

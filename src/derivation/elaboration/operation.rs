@@ -10,7 +10,7 @@ use crate::derivation::syntax::{BinaryOperator, Expression, Span};
 use crate::derivation::unit::{Unit, small_integer};
 
 use super::Elaborator;
-use super::error::{algebra, mismatch, quantity, shape, sides};
+use super::error::{algebra, mismatch, quantity, sides};
 use super::matrix::identity;
 
 impl Elaborator {
@@ -143,14 +143,7 @@ impl Elaborator {
             }
             .scalar());
         }
-        if !base.is_square() || !(-1..=8).contains(&exponent) {
-            let (rows, columns) = base.shape();
-            return Err(shape(
-                span,
-                format!("a {rows}×{columns} matrix to the power {exponent}"),
-            )
-            .with_help("square matrices have the powers −1, 0, 1, …, 8"));
-        }
+        check_power(base, exponent, span)?;
         if exponent < 0 {
             return self.inverse(base, &at.span);
         }
@@ -184,4 +177,18 @@ impl Elaborator {
             unit: square.unit.as_ref().map(|unit| unit.power(&half)),
         })
     }
+}
+
+/// Allows a power of a matrix.
+fn check_power(base: &Value, exponent: i64, span: &Span) -> Result<(), Diagnostic> {
+    let (rows, columns) = base.shape();
+    let (kind, label) = match (base.is_square(), exponent) {
+        (true, -1..=8) => return Ok(()),
+        (true, _) => (DiagnosticKind::Budget, "not one of −1, 0, 1, …, 8"),
+        (false, _) => (DiagnosticKind::Shape, "not square"),
+    };
+    let message = format!("a {rows}×{columns} matrix to the power {exponent}");
+    Err(Diagnostic::new(kind, span.clone(), message)
+        .with_label(label)
+        .with_help("square matrices have the powers −1, 0, 1, …, 8"))
 }

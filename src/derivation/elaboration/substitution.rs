@@ -2,20 +2,22 @@
 
 use std::collections::BTreeMap;
 
+use crate::algebra::error::AlgebraError;
 use crate::algebra::fraction::Fraction;
+use crate::algebra::number::Integer;
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::sign::Signs;
 use crate::algebra::substitution::Substitution;
 use crate::derivation::condition::Conditions;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind, nearest};
 use crate::derivation::notation::Notation;
-use crate::derivation::quantity::{Quantity, Value, common_unit};
+use crate::derivation::quantity::{Quantity, QuantityError, Value, common_unit};
 use crate::derivation::scope::{Meaning, Scope};
 use crate::derivation::syntax::{Expression, Name, Place, Replacement, Span};
 use crate::derivation::unit::Unit;
 
 use super::Elaborator;
-use super::error::{algebra, sides};
+use super::error::{algebra, quantity as quantity_error};
 
 /// What a named substitution came to.
 #[derive(Debug)]
@@ -73,9 +75,9 @@ impl Elaborator {
 
     /// What a place replaces by what.
     pub fn substitution(&mut self, place: &Place, span: &Span) -> Result<Substitution, Diagnostic> {
-        let name = match place {
+        let (name, here) = match place {
             Place::Replacements(replacements) => return self.read_replacements(replacements, span),
-            Place::Named(name) => name,
+            Place::Named(name) => (&name.value, &name.span),
         };
         let replacements = match self.scope.get(name).map(|entry| &entry.meaning) {
             Some(Meaning::Substitution {
@@ -89,14 +91,14 @@ impl Elaborator {
             Some(_) => {
                 let message = format!("`{name}` is not a substitution");
                 return Err(
-                    Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
+                    Diagnostic::new(DiagnosticKind::Arguments, here.clone(), message)
                         .with_label("cannot be used behind `at`")
                         .with_help(
                             "write `at (x = 0)`, or declare the replacements with `substitution`",
                         ),
                 );
             }
-            None => return Err(unknown(name, &self.scope, span)),
+            None => return Err(unknown(name, &self.scope, here)),
         };
         // It means the same until more is assumed.
         let assumed = self.ring.assumptions().polynomials().len();
@@ -136,7 +138,7 @@ impl Elaborator {
             let bare = image.value.as_constant().is_some() && image.unit == Some(Unit::one());
             if !bare {
                 common_unit(&quantity.unit, &image.unit)
-                    .map_err(|error| sides(error, target, value, span))?;
+                    .map_err(|error| unlike(error, target, value))?;
             }
             if substitution.insert(symbol, image.value).is_some() {
                 let message = "this is replaced twice";
@@ -181,16 +183,15 @@ impl Elaborator {
             let element = Fraction::from(polynomial.clone());
             let image = self.ring.substitute(&element, substitution).map_err(wrap)?;
             if !self.ring.signs(&image).map_err(wrap)?.is_within(signs) {
-                let shown = self.presenter().polynomial(&polynomial);
-                let shown = Notation::Unicode.expression(&shown.map_err(wrap)?);
+                let assumed = self.assumption(&polynomial, signs).map_err(wrap)?;
                 let place = replacements
                     .iter()
                     .find(|replacement| !replacement.value.span.is_empty());
                 let place =
                     place.map_or(span.clone(), |replacement| replacement.value.span.clone());
-                let message = format!("this need not respect what is assumed of {shown}");
+                let message = format!("this need not respect the assumption {assumed}");
                 return Err(Diagnostic::new(DiagnosticKind::Arguments, place, message)
-                    .with_label(format!("{shown} must stay {signs}"))
+                    .with_label("what was found by the assumption may not hold here")
                     .with_help(
                         "replace it by something whose sign follows from the declarations",
                     ));
@@ -198,6 +199,39 @@ impl Elaborator {
         }
         Ok(())
     }
+
+    /// What is assumed of a polynomial, as one writes it: `0 < m`, `l < r`.
+    fn assumption(&self, polynomial: &Polynomial, signs: Signs) -> Result<String, AlgebraError> {
+        let written = |polynomial: &Polynomial| {
+            let shown = self.presenter().polynomial(polynomial)?;
+            Ok::<_, AlgebraError>(Notation::Unicode.expression(&shown))
+        };
+        let terms = polynomial.terms().iter().cloned();
+        let (above, below): (Vec<_>, Vec<_>) =
+            terms.partition(|(_, coefficient)| *coefficient > Integer::ZERO);
+        if below.is_empty() {
+            return Ok(format!("{} {signs}", written(polynomial)?));
+        }
+        let above = written(&Polynomial::from_terms(above))?;
+        let below = written(&-&Polynomial::from_terms(below))?;
+        let sign = signs.to_string();
+        Ok(format!("{above} {} {below}", sign.trim_end_matches(" 0")))
+    }
+}
+
+/// What replaces something has another unit.
+fn unlike(error: QuantityError, target: &Expression, value: &Expression) -> Diagnostic {
+    let span = target.span.start..value.span.end.max(target.span.end);
+    let QuantityError::Units(wanted, given) = error else {
+        return quantity_error(error, &span);
+    };
+    let shown = Notation::Unicode.expression(target);
+    let message = format!("{shown} is in {wanted}, its value in {given}");
+    Diagnostic::new(DiagnosticKind::Unit, span, message)
+        .with_label(format!("the value must be in {wanted} too"))
+        .with_help(format!(
+            "give a value in {wanted}, or a bare number, which is read in SI units"
+        ))
 }
 
 /// A name behind `at` that the document does not declare.

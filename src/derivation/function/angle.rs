@@ -2,9 +2,11 @@
 
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::error::AlgebraError;
-use crate::derivation::diagnostic::Diagnostic;
+use crate::algebra::fraction::Fraction;
+use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::{algebra, quantity, units};
+use crate::derivation::notation::Notation;
 use crate::derivation::quantity::{Quantities, Quantity, Value};
 use crate::derivation::syntax::{Expression, Span};
 use crate::derivation::unit::Unit;
@@ -25,7 +27,7 @@ impl Elaborator {
         let angle = self
             .ring
             .angle(&quantity.value)
-            .ok_or_else(|| algebra(AlgebraError::NotAnAngle, &argument.span))?;
+            .ok_or_else(|| no_angle(&quantity.value, &argument.span))?;
         let (cosine, sine) = self
             .ring
             .cosine_and_sine(&angle)
@@ -53,8 +55,42 @@ impl Elaborator {
             .product(&first, &first)
             .and_then(|a| arithmetic.sum(&a, &arithmetic.product(&second, &second)?))
             .map_err(|error| quantity(error, span))?;
+        if squares.value.is_zero() {
+            let message = "the zero vector has no angle";
+            return Err(
+                Diagnostic::new(DiagnosticKind::DivisionByZero, span.clone(), message)
+                    .with_label("both components are 0")
+                    .with_help("give a component that is not 0"),
+            );
+        }
         self.require_non_zero(&squares.value, span)?;
-        let value = self.ring.direction(&first.value, &second.value);
-        Ok(Quantity::new(value.map_err(|error| algebra(error, span))?, Unit::one()).scalar())
+        let value = match self.ring.direction(&first.value, &second.value) {
+            Err(AlgebraError::UnknownSign) => return Err(self.unknown_length(&squares, span)?),
+            value => value.map_err(|error| algebra(error, span))?,
+        };
+        Ok(Quantity::new(value, Unit::one()).scalar())
+    }
+
+    /// The error for a vector whose length is a root that cannot be taken.
+    fn unknown_length(&self, squares: &Quantity, span: &Span) -> Result<Diagnostic, Diagnostic> {
+        let shown = Notation::Unicode.expression(&self.present(&squares.value, span)?);
+        let message = format!("the length of this vector, the root of {shown}, cannot be told");
+        let error = Diagnostic::new(DiagnosticKind::Unsupported, span.clone(), message);
+        Ok(error
+            .with_label("its length depends on a sign that is not known")
+            .with_help("state the sign of what is squared: `parameter … > 0` or `assume … > 0`"))
+    }
+}
+
+/// The error for a sine or cosine of what is no angle.
+fn no_angle(argument: &Fraction, span: &Span) -> Diagnostic {
+    let error = algebra(AlgebraError::NotAnAngle, span);
+    match argument.as_constant() {
+        Some(_) => error
+            .with_label("a number, whose sine is not known exactly")
+            .with_help(
+                "declare an angle in its place, such as `angle φ`, and leave its value open",
+            ),
+        None => error,
     }
 }

@@ -3,10 +3,12 @@
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::differential::Differential;
 use crate::algebra::matrix::Matrix;
+use crate::algebra::symbol::Symbol;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
-use crate::derivation::elaboration::error::{algebra, shape};
+use crate::derivation::elaboration::error::{algebra, expansion, shape, unexpandable};
 use crate::derivation::elaboration::limit::check_order;
+use crate::derivation::notation::Notation;
 use crate::derivation::quantity::{Quantity, Value};
 use crate::derivation::syntax::{Expression, Span, Spanned};
 use crate::derivation::unit::Unit;
@@ -68,6 +70,16 @@ impl Elaborator {
         })
     }
 
+    /// Symbols as the document writes them.
+    fn written(&self, symbols: &[Symbol], span: &Span) -> Result<Vec<String>, Diagnostic> {
+        let shown = symbols.iter().map(|symbol| {
+            let shown = self.presenter().symbol(*symbol);
+            let shown = shown.map_err(|error| algebra(error, span))?;
+            Ok(Notation::Unicode.expression(&shown))
+        });
+        shown.collect()
+    }
+
     /// The terms up to an order in small quantities.
     pub(super) fn truncation(
         &mut self,
@@ -98,11 +110,13 @@ impl Elaborator {
             .iter()
             .map(|symbol| (*symbol, self.ring.zero()))
             .collect();
-        self.require_after(&needed, &at_zero, span)?;
+        let names = self.written(&symbols, span)?;
+        self.require_after(&needed, &at_zero, span)
+            .map_err(|error| unexpandable(error, &names, span))?;
         value.try_map(|entry| {
             let value = self.ring.truncate(&entry.value, &symbols, order);
             Ok(Quantity {
-                value: value.map_err(|error| algebra(error, span))?,
+                value: value.map_err(|error| expansion(error, &names, span))?,
                 unit: entry.unit.clone(),
             })
         })

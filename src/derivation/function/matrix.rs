@@ -143,7 +143,8 @@ impl Elaborator {
                 Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
                     .with_label("has no unique solution")
                     .with_help(
-                        "leave out equations that follow from others, and look at `kernel(…)`",
+                        "put other equations in the place of those that follow from the rest; \
+                         `kernel(…)` of the matrix shows what they leave open",
                     ),
             );
         }

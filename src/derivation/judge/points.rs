@@ -115,7 +115,8 @@ impl<'a> Points<'a> {
             let left = evaluator.evaluate(&assumption.left);
             let right = evaluator.evaluate(&assumption.right);
             matches!((left, right), (Ok(left), Ok(right))
-                if compare(&left, &right, assumption.comparison) == Some(true))
+                if compare(&left, &right, assumption.comparison, &evaluator.point().extension)
+                    == Some(true))
         });
         admissible.then_some(evaluator)
     }

@@ -2,11 +2,11 @@
 
 use std::cmp::Ordering;
 
-use crate::algebra::number::Rational;
 use crate::derivation::assertion::Assertion;
 use crate::derivation::assertion::comparison::allowed;
 use crate::derivation::evaluation::evaluator::{Evaluator, Failure};
 use crate::derivation::evaluation::number::Number;
+use crate::derivation::evaluation::number::extension::Extension;
 use crate::derivation::syntax::{Comparison, Order, Relation};
 
 /// The numbers that a side is made of, row by row.
@@ -25,20 +25,27 @@ pub fn sides<'a>(
             evaluator.evaluate(right)?,
         )]),
         Some(order) => {
-            let small: Vec<&str> = order
-                .small
-                .iter()
-                .map(|name| name.value.ascii.as_str())
-                .collect();
-            let left = evaluator.parts(left, &small, order.order)?;
-            let right = evaluator.parts(right, &small, order.order)?;
+            let small = small_names(order);
+            let left = evaluator.parts(left, &small, order.order.value)?;
+            let right = evaluator.parts(right, &small, order.order.value)?;
             Ok(left.into_iter().zip(right).collect())
         }
     }
 }
 
+/// The ASCII names of small quantities.
+pub fn small_names(order: &Order) -> Vec<&str> {
+    let names = order.small.iter();
+    names.map(|name| name.value.ascii.as_str()).collect()
+}
+
 /// Whether two tables stand in a relation; nothing where that cannot be told.
-pub fn compare(left: &Numbers, right: &Numbers, comparison: Comparison) -> Option<bool> {
+pub fn compare(
+    left: &Numbers,
+    right: &Numbers,
+    comparison: Comparison,
+    extension: &Extension,
+) -> Option<bool> {
     if comparison == Comparison::Equal {
         return Some(first_difference(left, right).is_none());
     }
@@ -48,9 +55,8 @@ pub fn compare(left: &Numbers, right: &Numbers, comparison: Comparison) -> Optio
     let [[b]] = [right.first()?.as_slice()] else {
         return None;
     };
-    let difference = a.difference(b).as_rational()?;
     let wanted = allowed(comparison);
-    Some(match difference.cmp(&Rational::ZERO) {
+    Some(match extension.order(&a.difference(b))? {
         Ordering::Less => wanted.negative,
         Ordering::Equal => wanted.zero,
         Ordering::Greater => wanted.positive,

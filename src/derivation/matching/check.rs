@@ -24,7 +24,7 @@ impl MatchingCheck {
     /// The check of a matching that stands at a place.
     pub fn new(matched: &Matched, span: &Span) -> Self {
         let (exact, assumed) = matched.polynomials.clone();
-        let place = Place::Named(matched.name.clone());
+        let place = Place::named(matched.name.clone());
         let assumed = Expression::made(Node::At(Box::new(assumed), place));
         let residuals = matched
             .table

@@ -94,7 +94,10 @@ impl Elaborator {
                             .with_label(
                                 "an unknown stands under a root, in an angle or in a function",
                             )
-                            .with_help("use another power"),
+                            .with_help(
+                                "use another power, or take what stands there, such as the root \
+                                 itself, as the unknown",
+                            ),
                     );
                 }
             }

@@ -39,7 +39,7 @@ impl Elaborator {
         let leading = match &coefficients.small[..] {
             [] => None,
             small => {
-                let leading = self.ring.leading_part(&residual, small, HIGHEST_ORDER);
+                let leading = self.ring.leading_part(&residual, small, 0, HIGHEST_ORDER);
                 leading.map_err(wrap)?
             }
         };

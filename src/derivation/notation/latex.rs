@@ -222,7 +222,7 @@ fn primed(written: String, order: u32) -> String {
 
 fn place(place: &Place) -> String {
     match place {
-        Place::Named(place) => symbol_of_place(place),
+        Place::Named(place) => symbol_of_place(&place.value),
         Place::Replacements(replacements) => {
             let written = replacements.iter().map(|replacement| {
                 format!(

@@ -177,7 +177,7 @@ impl Plain {
 
     fn place(&self, place: &Place) -> String {
         match place {
-            Place::Named(name) => self.notation.name(name),
+            Place::Named(name) => self.notation.name(&name.value),
             Place::Replacements(replacements) => {
                 let written: Vec<_> = replacements
                     .iter()

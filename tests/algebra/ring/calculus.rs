@@ -189,7 +189,7 @@ proptest! {
         prop_assert!(same(&world.ring, &whole, &expected)?);
         let again = world.ring.truncate(&whole, &small, 2).done()?;
         prop_assert!(same(&world.ring, &again, &whole)?);
-        let leading = world.ring.leading_part(&element, &small, 3).done()?;
+        let leading = world.ring.leading_part(&element, &small, 0, 3).done()?;
         let first = (0..).zip(parts).find(|(_, part)| !part.is_zero());
         prop_assert_eq!(leading, first);
     }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::derivation::evaluation::point::Key;
 use crate::derivation::scope::Meaning;
-use crate::derivation::syntax::{Expression, Name, Node, Place, Replacement};
+use crate::derivation::syntax::{Expression, Name, Node, Place, Replacement, Spanned};
 
 use super::context::{Change, Context, Frame};
 use super::{Evaluator, Failure};
@@ -25,10 +25,12 @@ impl<'a> Evaluator<'a> {
         let scope = self.scope;
         let (replacements, frame): (&'a [Replacement], usize) = match place {
             Place::Replacements(replacements) => (replacements, frame),
-            Place::Named(name) => match scope.get(name).map(|entry| &entry.meaning) {
-                Some(Meaning::Substitution { replacements, .. }) => (replacements, 0),
-                _ => return Err(format!("{name} is no substitution")),
-            },
+            Place::Named(Spanned { value: name, .. }) => {
+                match scope.get(name).map(|entry| &entry.meaning) {
+                    Some(Meaning::Substitution { replacements, .. }) => (replacements, 0),
+                    _ => return Err(format!("{name} is no substitution")),
+                }
+            }
         };
         let (mut symbols, mut functions) = (BTreeMap::new(), Vec::new());
         for Replacement { target, value } in replacements {

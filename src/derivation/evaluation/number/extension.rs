@@ -1,6 +1,7 @@
 //! Arithmetic with adjoined roots.
 
 use std::cell::Cell;
+use std::cmp::Ordering;
 
 use dashu_base::{BitTest, SquareRoot, UnsignedAbs};
 
@@ -112,6 +113,44 @@ impl Extension {
         Some(above.scale(&(Rational::ONE / below)))
     }
 
+    /// How a compares with 0; nothing where it has no order, or where that is too much work.
+    ///
+    /// a + b√d with a and b of opposite signs has the sign of a times that of a² − b²d, the roots
+    /// being taken off one after the other.
+    pub fn order(&self, a: &Number) -> Option<Ordering> {
+        let Some((highest, _)) = a.parts.last() else {
+            return Some(Ordering::Equal);
+        };
+        if *highest == 0 {
+            return a.as_rational().map(|a| a.cmp(&Rational::ZERO));
+        }
+        let top = u32::BITS - 1 - highest.leading_zeros();
+        let root = 1 << top;
+        let square = self.squares.get(top.checked_sub(NILPOTENTS)? as usize)?;
+        if a.parts.iter().any(|(set, _)| set & NILPOTENT != 0) || *square < Rational::ZERO {
+            return None;
+        }
+        let (rational, mut times) = (
+            a.select(|set| set & root == 0),
+            a.select(|set| set & root != 0),
+        );
+        times.parts.iter_mut().for_each(|(set, _)| *set &= !root);
+        let (left, right) = (self.order(&rational)?, self.order(&times)?);
+        if left == right || right == Ordering::Equal {
+            return Some(left);
+        }
+        if left == Ordering::Equal {
+            return Some(right);
+        }
+        let squares = self.product(&times, &times).scale(square);
+        let norm = self.product(&rational, &rational).difference(&squares);
+        let norm = self.order(&norm).filter(|_| !self.is_exhausted())?;
+        Some(match left {
+            Ordering::Greater => norm,
+            _ => norm.reverse(),
+        })
+    }
+
     /// √a ≥ 0, with a new root adjoined where a rational number has none; nothing for nested roots,
     /// for 0 + ε, and when there is no room.
     pub fn square_root(&mut self, a: &Number) -> Option<Number> {
@@ -189,4 +228,34 @@ fn words(number: &Number) -> u64 {
         .iter()
         .map(|(_, value)| of(value))
         .sum::<usize>() as u64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_of_roots_are_ordered() {
+        let mut extension = Extension::default();
+        let mut root = |n: i64| extension.square_root(&Number::from(n)).unwrap();
+        let (two, three, five) = (root(2), root(3), root(5));
+        let imaginary = extension.adjoin(-Rational::ONE).unwrap();
+        let number =
+            |above: i64, below: i64| Number::from(Rational::from(above) / Rational::from(below));
+        for (difference, expected) in [
+            (two.difference(&number(3, 2)), Some(Ordering::Less)),
+            (two.difference(&number(7, 5)), Some(Ordering::Greater)),
+            (
+                two.sum(&three).difference(&number(22, 7)),
+                Some(Ordering::Greater),
+            ),
+            (two.sum(&three).difference(&five), Some(Ordering::Greater)),
+            (five.difference(&two.sum(&three)), Some(Ordering::Less)),
+            (number(0, 1), Some(Ordering::Equal)),
+            (three.sum(&imaginary), None),
+            (Number::nilpotent(0).unwrap(), None),
+        ] {
+            assert_eq!(extension.order(&difference), expected);
+        }
+    }
 }
