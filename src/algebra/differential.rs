@@ -1,6 +1,6 @@
 //! Differentials of a ring, given by the images of its free symbols.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::arithmetic::{Arithmetic, Division};
 use super::error::AlgebraError;
@@ -29,6 +29,52 @@ impl Differential {
 }
 
 impl Ring {
+    /// What stands under the roots of an element that a differential moves: dw = dp/(2w) asks that it is
+    /// not 0.
+    ///
+    /// Complexity: that of [`Ring::differentiate`] for each radicand.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Ring::differentiate`].
+    pub fn moving_radicands(
+        &mut self,
+        element: &Fraction,
+        differential: &Differential,
+    ) -> Result<Vec<Polynomial>, AlgebraError> {
+        let symbols_of = |element: &Fraction| {
+            let mut symbols = element.numerator().symbols();
+            symbols.extend(element.denominator().symbols());
+            symbols
+        };
+        let mut open: Vec<Symbol> = symbols_of(element).into_iter().collect();
+        let (mut seen, mut moving) = (BTreeSet::new(), Vec::new());
+        while let Some(symbol) = open.pop() {
+            if !seen.insert(symbol) {
+                continue;
+            }
+            match self.generator(symbol).clone() {
+                Generator::Root { radicand } => {
+                    open.extend(radicand.symbols());
+                    let change = self.differentiate_polynomial(&radicand, differential)?;
+                    if !change.is_zero() {
+                        moving.push(radicand);
+                    }
+                }
+                Generator::FunctionValue { argument, .. } => open.extend(symbols_of(&argument)),
+                Generator::Direction { x, y, .. } => {
+                    open.extend(symbols_of(&x));
+                    open.extend(symbols_of(&y));
+                }
+                Generator::Cosine { angle } | Generator::Sine { angle } => {
+                    open.extend(angle.coefficients().map(|(inside, _)| inside));
+                }
+                _ => {}
+            }
+        }
+        Ok(moving)
+    }
+
     /// The image of an element under a differential.
     ///
     /// d(N/D) = dN/D − (N/D)·(dD/D) with dP = Σ_g ∂P/∂g · dg over the symbols g of P, and dg the image

@@ -63,6 +63,10 @@ impl Elaborator {
         per: &Unit,
         span: &Span,
     ) -> Result<Quantity, Diagnostic> {
+        let roots = self.ring.moving_radicands(&entry.value, differential);
+        for radicand in roots.map_err(|error| algebra(error, span))? {
+            self.require_non_zero(&radicand.into(), span)?;
+        }
         let value = self.ring.differentiate(&entry.value, differential);
         Ok(Quantity {
             value: value.map_err(|error| algebra(error, span))?,
