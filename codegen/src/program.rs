@@ -1,0 +1,167 @@
+//! Straight-line programs: named inputs, operations, named outputs.
+
+use dashu_ratio::RBig;
+
+/// An exact constant.
+pub type Rational = RBig;
+
+/// A value of a program, by the place of the operation that computes it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Node(u32);
+
+impl Node {
+    /// The place of its operation.
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// One step; its operands are values of earlier steps.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Operation {
+    /// The input of this place.
+    Input(u32),
+    /// An exact number.
+    Constant(Rational),
+    /// a + b
+    Add(Node, Node),
+    /// a − b
+    Subtract(Node, Node),
+    /// a·b
+    Multiply(Node, Node),
+    /// a/b
+    Divide(Node, Node),
+    /// −a
+    Negative(Node),
+    /// √a
+    SquareRoot(Node),
+}
+
+impl Operation {
+    /// The values that it takes.
+    pub fn operands(&self) -> impl Iterator<Item = Node> {
+        let (first, second) = match *self {
+            Operation::Input(_) | Operation::Constant(_) => (None, None),
+            Operation::Negative(a) | Operation::SquareRoot(a) => (Some(a), None),
+            Operation::Add(a, b)
+            | Operation::Subtract(a, b)
+            | Operation::Multiply(a, b)
+            | Operation::Divide(a, b) => (Some(a), Some(b)),
+        };
+        first.into_iter().chain(second)
+    }
+
+    /// The same step on other values.
+    #[must_use]
+    pub fn map(&self, mut image: impl FnMut(Node) -> Node) -> Self {
+        match self {
+            Operation::Input(_) | Operation::Constant(_) => self.clone(),
+            Operation::Negative(a) => Operation::Negative(image(*a)),
+            Operation::SquareRoot(a) => Operation::SquareRoot(image(*a)),
+            Operation::Add(a, b) => Operation::Add(image(*a), image(*b)),
+            Operation::Subtract(a, b) => Operation::Subtract(image(*a), image(*b)),
+            Operation::Multiply(a, b) => Operation::Multiply(image(*a), image(*b)),
+            Operation::Divide(a, b) => Operation::Divide(image(*a), image(*b)),
+        }
+    }
+}
+
+/// A straight-line program; every operation stands behind those whose values it takes.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Program {
+    inputs: Vec<String>,
+    operations: Vec<Operation>,
+    outputs: Vec<(String, Node)>,
+}
+
+impl Program {
+    /// A program that does nothing with these inputs, whose values are its first nodes.
+    pub fn new(inputs: impl IntoIterator<Item = String>) -> Self {
+        let inputs: Vec<String> = inputs.into_iter().collect();
+        let operations = (0..inputs.len() as u32).map(Operation::Input).collect();
+        Program {
+            inputs,
+            operations,
+            outputs: Vec::new(),
+        }
+    }
+
+    /// The names of the inputs.
+    pub fn inputs(&self) -> &[String] {
+        &self.inputs
+    }
+
+    /// The value of an input.
+    pub fn input(&self, name: &str) -> Option<Node> {
+        let place = self.inputs.iter().position(|known| known == name)?;
+        Some(Node(place as u32))
+    }
+
+    /// The operations in order; the first ones give the inputs.
+    pub fn operations(&self) -> &[Operation] {
+        &self.operations
+    }
+
+    /// The operation that computes a value.
+    pub fn operation(&self, node: Node) -> &Operation {
+        &self.operations[node.index()]
+    }
+
+    /// The values in order.
+    pub fn nodes(&self) -> impl Iterator<Item = (Node, &Operation)> {
+        (0..).map(Node).zip(&self.operations)
+    }
+
+    /// The names and values of the outputs.
+    pub fn outputs(&self) -> &[(String, Node)] {
+        &self.outputs
+    }
+
+    /// Appends an operation on values of this program.
+    ///
+    /// # Panics
+    ///
+    /// If an operand is not a value of this program yet.
+    pub fn push(&mut self, operation: Operation) -> Node {
+        assert!(
+            operation
+                .operands()
+                .all(|node| node.index() < self.operations.len()),
+            "an operand comes before its operation"
+        );
+        self.operations.push(operation);
+        Node(self.operations.len() as u32 - 1)
+    }
+
+    /// Appends a constant.
+    pub fn constant(&mut self, value: Rational) -> Node {
+        self.push(Operation::Constant(value))
+    }
+
+    /// Names a value as an output.
+    pub fn output(&mut self, name: impl Into<String>, node: Node) {
+        self.outputs.push((name.into(), node));
+    }
+
+    /// Rebuilds the program operation by operation: `step` is given the new program, the operation with
+    /// its operands already in it, and gives the value that replaces it.
+    #[must_use]
+    pub fn rebuild(&self, mut step: impl FnMut(&mut Program, Node, Operation) -> Node) -> Program {
+        let mut program = Program::new(self.inputs.iter().cloned());
+        let mut images: Vec<Node> = Vec::with_capacity(self.operations.len());
+        for (node, operation) in self.nodes() {
+            let image = match operation {
+                Operation::Input(place) => Node(*place),
+                _ => {
+                    let moved = operation.map(|operand| images[operand.index()]);
+                    step(&mut program, node, moved)
+                }
+            };
+            images.push(image);
+        }
+        for (name, node) in &self.outputs {
+            program.output(name.clone(), images[node.index()]);
+        }
+        program
+    }
+}
