@@ -4,6 +4,7 @@
 
 pub mod algebra;
 pub mod cli;
+pub mod compile;
 pub mod derivation;
 pub mod documents;
 pub mod report;

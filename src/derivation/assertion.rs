@@ -187,7 +187,7 @@ impl Elaborator {
         Ok(names)
     }
 
-    fn present_conditions(
+    pub(super) fn present_conditions(
         &self,
         conditions: &Conditions,
         span: &Span,

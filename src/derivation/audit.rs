@@ -6,6 +6,7 @@ mod reader;
 
 use super::diagnostic::{Diagnostic, SourceFile};
 use super::elaboration::Elaborator;
+use super::evaluator::Evaluator;
 use super::explanation::Explanation;
 use super::judge::Judge;
 use super::matching::Matched;
@@ -37,7 +38,10 @@ pub struct Audit {
     pub claims: Vec<Claim>,
     /// Its matchings, in order.
     pub matchings: Vec<Matched>,
-    elaborator: Elaborator,
+    /// What it wants compiled, in order.
+    pub evaluators: Vec<Evaluator>,
+    /// The names and the ring that all of this is about.
+    pub elaborator: Elaborator,
 }
 
 impl Audit {
@@ -80,6 +84,7 @@ pub fn audit(source: &SourceFile, library: &dyn Library) -> Result<Audit, Box<Re
         title: read.title,
         claims,
         matchings: read.matchings,
+        evaluators: reader.evaluators,
         elaborator: reader.elaborator,
     })
 }

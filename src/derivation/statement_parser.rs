@@ -7,13 +7,13 @@ use super::diagnostic::{Diagnostic, nearest};
 use super::lexer::TokenKind;
 use super::name::DottedName;
 use super::syntax::{
-    BinaryOperator, Expectation, Expression, Matching, Name, Node, Order, Spanned, Statement,
-    StatementKind,
+    BinaryOperator, EvaluatorBody, Expectation, Expression, Matching, Name, Node, Order, Spanned,
+    Statement, StatementKind,
 };
 use crate::algebra::number::Rational;
 
 /// The words a statement can begin with; anywhere else they are names like others.
-const KEYWORDS: [&str; 14] = [
+const KEYWORDS: [&str; 15] = [
     "parameter",
     "angle",
     "coordinate",
@@ -27,6 +27,7 @@ const KEYWORDS: [&str; 14] = [
     "ill-formed",
     "eigenpair",
     "match",
+    "evaluator",
     "import",
 ];
 
@@ -76,6 +77,7 @@ impl Cursor<'_> {
             "approximate" => |cursor| cursor.assertion(Expectation::Approximate),
             "eigenpair" => Self::eigenpair,
             "match" => Self::matching,
+            "evaluator" => Self::evaluator,
             "import" => Self::import,
             _ => return self.definition_or_unknown_keyword(),
         };
@@ -250,6 +252,57 @@ impl Cursor<'_> {
             small,
             description,
         })))
+    }
+
+    /// `(21) closed_form: λ_R1 = λ_1, λ_R2 = λ_2 "…"`
+    fn evaluator(&mut self) -> Parsed<StatementKind> {
+        let label = self.label()?;
+        let name = self.name("the name of the evaluator")?;
+        self.expect(TokenKind::Colon, "`:`")?;
+        let body = match self.peek_at(1) {
+            Some(TokenKind::Equals) => self.outputs()?,
+            _ => self.special_evaluator()?,
+        };
+        let description = self.description()?;
+        self.expect_end("")?;
+        Ok(StatementKind::Evaluator {
+            label,
+            name,
+            body,
+            description,
+        })
+    }
+
+    fn outputs(&mut self) -> Parsed<EvaluatorBody> {
+        let mut outputs = Vec::new();
+        loop {
+            let name = self.name("the name of an output")?;
+            if self.accept(TokenKind::Equals).is_none() {
+                let help = "an output is written `name = value`";
+                return Err(self.expected("`=`").with_help(help));
+            }
+            outputs.push((name, self.expression()?));
+            if self.accept(TokenKind::Comma).is_none() {
+                return Ok(EvaluatorBody::Outputs(outputs));
+            }
+        }
+    }
+
+    /// `other at tuned`
+    fn special_evaluator(&mut self) -> Parsed<EvaluatorBody> {
+        let start = self.here();
+        let expression = self.expression()?;
+        if let Node::At(inner, place) = expression.node
+            && let Node::Name(value) = inner.node
+        {
+            let span = inner.span;
+            let general = Spanned { value, span };
+            return Ok(EvaluatorBody::Special { general, place });
+        }
+        let message = "this is neither a list of outputs nor another evaluator at a place";
+        Err(Diagnostic::syntax(start, message)
+            .with_label("computes what?")
+            .with_help("write `name: output = value, …` or `name: other_evaluator at (x = 0)`"))
     }
 
     /// `λ^5, λ^3, λ, 1`, as exponents.

@@ -319,6 +319,32 @@ pub enum StatementKind {
     },
     /// `match (20) closed_form: p with q in λ unknown b_1, b_2 at λ^3, λ neglect b_1*b_2 small ρ "…"`
     Match(Box<Matching>),
+    /// `evaluator (21) closed_form: λ_R1 = λ_1, λ_R2 = λ_2 "…"`, or
+    /// `evaluator (19, tuned) tuned: other at tuned "…"`
+    Evaluator {
+        /// How it is called in headers.
+        label: Label,
+        /// How it is called in programs.
+        name: Spanned<Name>,
+        /// What it computes.
+        body: EvaluatorBody,
+        /// In words.
+        description: Option<String>,
+    },
+}
+
+/// What an evaluator computes.
+#[derive(Clone, Debug)]
+pub enum EvaluatorBody {
+    /// Named outputs.
+    Outputs(Vec<(Spanned<Name>, Expression)>),
+    /// The outputs of another evaluator after replacements.
+    Special {
+        /// The other evaluator.
+        general: Spanned<Name>,
+        /// What is replaced.
+        place: Place,
+    },
 }
 
 /// A matching of two polynomials, power by power.

@@ -129,7 +129,8 @@ impl Reader<'_> {
             StatementKind::Import { .. }
             | StatementKind::Assertion { .. }
             | StatementKind::Eigenpair { .. }
-            | StatementKind::Match(_) => Ok(()),
+            | StatementKind::Match(_)
+            | StatementKind::Evaluator { .. } => Ok(()),
         }
     }
 

@@ -8,6 +8,7 @@ use crate::derivation::assertion::{Assertion, Finding};
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
 use crate::derivation::document::{Document, parse_document_with};
 use crate::derivation::elaboration::Elaborator;
+use crate::derivation::evaluator::Evaluator;
 use crate::derivation::matching::Matched;
 use crate::derivation::matching::check::MatchingCheck;
 use crate::derivation::name::Aliases;
@@ -28,6 +29,8 @@ pub(super) struct Reader<'a> {
     pub(super) open: Vec<String>,
     pub(super) finished: Vec<String>,
     aliases: Aliases,
+    /// What the documents want compiled, imported ones included.
+    pub(super) evaluators: Vec<Evaluator>,
 }
 
 /// What a document says beyond its declarations.
@@ -49,6 +52,7 @@ impl<'a> Reader<'a> {
             open: Vec::new(),
             finished: Vec::new(),
             aliases: Aliases::default(),
+            evaluators: Vec::new(),
         }
     }
 
@@ -93,6 +97,10 @@ impl<'a> Reader<'a> {
             read.checks
                 .push(MatchingCheck::new(&matched, &statement.span));
             read.matchings.push(matched);
+            return Ok(());
+        }
+        if let Some(evaluator) = self.elaborator.evaluator(statement, &self.evaluators)? {
+            self.evaluators.push(evaluator);
             return Ok(());
         }
         self.declare(statement)

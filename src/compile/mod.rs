@@ -1,0 +1,6 @@
+//! What a document derives becomes straight-line programs.
+
+pub mod input;
+pub mod normal_form;
+pub mod polynomial;
+pub mod translation;

@@ -1,0 +1,129 @@
+//! What a document wants compiled.
+
+use super::diagnostic::{Diagnostic, DiagnosticKind, nearest};
+use super::elaboration::Elaborator;
+use super::quantity::Value;
+use super::syntax::{
+    EvaluatorBody, Expression, Label, Name, Node, Span, Spanned, Statement, StatementKind,
+};
+use super::verdict::Condition;
+
+/// Something to compile: named outputs, each an expression of the document.
+#[derive(Clone, Debug)]
+pub struct Evaluator {
+    /// How it is called in headers.
+    pub label: Label,
+    /// How it is called in programs.
+    pub name: Name,
+    /// In words.
+    pub description: Option<String>,
+    /// What it computes.
+    pub outputs: Vec<Output>,
+    /// What must hold for the outputs to exist.
+    pub conditions: Vec<Condition>,
+    /// Where the document asks for it.
+    pub span: Span,
+}
+
+/// An output of an evaluator.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// How it is called; the entries of a matrix are numbered behind the name.
+    pub name: Name,
+    /// What it is.
+    pub expression: Expression,
+    /// What that is in the ring.
+    pub value: Value,
+}
+
+impl Elaborator {
+    /// What an `evaluator` statement asks for, given those before it.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnostic`] where a name is taken or unknown, or an output has no value.
+    pub(super) fn evaluator(
+        &mut self,
+        statement: &Statement,
+        known: &[Evaluator],
+    ) -> Result<Option<Evaluator>, Diagnostic> {
+        let StatementKind::Evaluator {
+            label,
+            name,
+            body,
+            description,
+        } = &statement.kind
+        else {
+            return Ok(None);
+        };
+        if let Some(earlier) = known.iter().find(|earlier| earlier.name == name.value) {
+            let message = format!("two evaluators are called `{}`", name.value);
+            return Err(
+                Diagnostic::new(DiagnosticKind::Duplicate, name.span.clone(), message)
+                    .with_label("the same name again")
+                    .with_secondary(earlier.span.clone(), "the first one")
+                    .with_help("give each evaluator a name of its own"),
+            );
+        }
+        let mut outputs: Vec<Output> = Vec::new();
+        for (name, expression) in written_outputs(body, known)? {
+            if outputs.iter().any(|output| output.name == name.value) {
+                let message = format!("two outputs are called `{}`", name.value);
+                return Err(
+                    Diagnostic::new(DiagnosticKind::Duplicate, name.span.clone(), message)
+                        .with_label("the same name again")
+                        .with_help("give each output a name of its own"),
+                );
+            }
+            outputs.push(Output {
+                value: self.value(&expression)?,
+                name: name.value,
+                expression,
+            });
+        }
+        let needed = std::mem::take(&mut self.conditions);
+        Ok(Some(Evaluator {
+            label: label.clone(),
+            name: name.value.clone(),
+            description: description.clone(),
+            outputs,
+            conditions: self.present_conditions(&needed, &statement.span)?,
+            span: name.span.clone(),
+        }))
+    }
+}
+
+/// The outputs as the document writes them; those of a special evaluator are those of the general one
+/// after the replacements.
+fn written_outputs(
+    body: &EvaluatorBody,
+    known: &[Evaluator],
+) -> Result<Vec<(Spanned<Name>, Expression)>, Diagnostic> {
+    let (general, place) = match body {
+        EvaluatorBody::Outputs(outputs) => return Ok(outputs.clone()),
+        EvaluatorBody::Special { general, place } => (general, place),
+    };
+    let Some(found) = known.iter().find(|known| known.name == general.value) else {
+        let message = format!("there is no evaluator `{}` yet", general.value);
+        let names = known.iter().map(|known| known.name.unicode.as_str());
+        let help = match nearest(&general.value.unicode, names) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => "declare it above with `evaluator`".to_string(),
+        };
+        return Err(
+            Diagnostic::new(DiagnosticKind::UnknownName, general.span.clone(), message)
+                .with_label("unknown evaluator")
+                .with_help(help),
+        );
+    };
+    let outputs = found.outputs.iter().map(|output| {
+        let span = general.span.clone();
+        let name = Spanned {
+            value: output.name.clone(),
+            span: span.clone(),
+        };
+        let node = Node::At(Box::new(output.expression.clone()), place.clone());
+        (name, Expression { node, span })
+    });
+    Ok(outputs.collect())
+}
