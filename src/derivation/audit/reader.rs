@@ -160,7 +160,11 @@ impl<'a> Reader<'a> {
                 .with_label("this is 0")
                 .with_help("every value is an eigenvalue of 0; give a vector with an entry other than 0"));
         }
-        Ok(())
+        let mut others = value.entries().iter().filter(|entry| !zero(entry));
+        match (others.next(), others.next()) {
+            (Some(only), None) => self.elaborator.require_non_zero(&only.value, &vector.span),
+            _ => Ok(()),
+        }
     }
 
     /// What is known of the signs of symbols, by ASCII name.
