@@ -46,10 +46,11 @@ impl Ring {
         small: &[Symbol],
         order: u32,
     ) -> Result<Vec<Fraction>, AlgebraError> {
-        self.expand_until(element, small, order, |_, _| false)
+        self.expand_until(element, small, order, order, |_, _| false)
     }
 
-    /// The parts of an element as [`Ring::expand`] gives them, up to the first that may be the last.
+    /// The parts of an element as [`Ring::expand`] gives them, up to the first that may be the last, or
+    /// to the degree behind which there are none, if all that are required exist.
     ///
     /// The part of degree k is Dᵏf/k! at q = 0, with D the derivative along q: it maps each qᵢ to a
     /// constant δᵢ, which is read as qᵢ in the end.
@@ -57,6 +58,7 @@ impl Ring {
         &mut self,
         element: &Fraction,
         small: &[Symbol],
+        required: u32,
         order: u32,
         last: impl Fn(u32, &Fraction) -> bool,
     ) -> Result<Vec<Fraction>, AlgebraError> {
@@ -84,7 +86,11 @@ impl Ring {
                     derivative = self.differentiate(&derivative, &along)?;
                     factorial *= degree;
                 }
-                let value = self.substitute(&derivative, &at_zero)?;
+                let value = match self.substitute(&derivative, &at_zero) {
+                    // Beyond what is required the expansion may end.
+                    Err(AlgebraError::DivisionByZero) if degree > required => break,
+                    value => value?,
+                };
                 let value = self.substitute(&value, &back)?;
                 self.quotient(&value, &Fraction::from(Rational::from(factorial.clone())))?
             };
@@ -171,7 +177,7 @@ impl Ring {
         stated: u32,
         highest: u32,
     ) -> Result<Option<(u32, Fraction)>, AlgebraError> {
-        let parts = self.expand_until(element, small, highest, |degree, part| {
+        let parts = self.expand_until(element, small, stated, highest, |degree, part| {
             degree >= stated && !part.is_zero()
         })?;
         Ok((0..).zip(parts).find(|(_, part)| !part.is_zero()))

@@ -154,13 +154,17 @@ pub(super) fn split_content(
 }
 
 /// The quotient by a polynomial that is known to divide.
+///
+/// # Panics
+///
+/// If it does not divide: any other answer would be a wrong one.
 pub(super) fn quotient(
     dividend: &Polynomial,
     divisor: &Polynomial,
     budget: &Budget,
 ) -> Result<Polynomial, Exhausted> {
     let quotient = dividend.divide_exact(divisor, budget)?;
-    debug_assert!(
+    assert!(
         quotient.is_some(),
         "{divisor:?} does not divide {dividend:?}"
     );

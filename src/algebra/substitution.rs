@@ -83,6 +83,7 @@ impl Ring {
         let Some(((symbol, image), others)) = images.split_first() else {
             return Ok(Fraction::from(polynomial.clone()));
         };
+        self.budget().spend(polynomial.len() as u64)?;
         let coefficients = polynomial.coefficients_in(*symbol);
         if image.is_zero() {
             let constant = coefficients.get(&0);

@@ -1,10 +1,11 @@
 //! Reading documents from the disk.
 
 use std::fs;
-use std::io::ErrorKind;
+use std::io::{ErrorKind, Read};
 
 use crate::derivation::audit::{Audit, Library, Rejected, audit};
 use crate::derivation::diagnostic::SourceFile;
+use crate::derivation::document::MAXIMUM_SIZE;
 use crate::documents::{ShippedLibrary, resolve, shipped};
 
 use super::Outcome;
@@ -39,7 +40,7 @@ struct Disk;
 impl Library for Disk {
     fn read(&self, path: &str, from: &str) -> Result<SourceFile, String> {
         let path = resolve(path, &slashes(from));
-        let bytes = fs::read(&path).map_err(|error| reason(&error))?;
+        let bytes = bytes_of(&path).map_err(|error| reason(&error))?;
         SourceFile::from_bytes(path, &bytes).map_err(|error| error.message)
     }
 }
@@ -47,7 +48,7 @@ impl Library for Disk {
 fn read(path: &str) -> Result<SourceFile, Outcome> {
     // Spelled as an import would spell it, so that a document that imports itself is recognised.
     let name = resolve(&slashes(path), "");
-    let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
+    let bytes = bytes_of(path).map_err(|error| unreadable(path, &error))?;
     SourceFile::from_bytes(&name, &bytes).map_err(|error| {
         let source = SourceFile::from_bytes_lossy(&name, &bytes);
         reject(&Rejected {
@@ -55,6 +56,14 @@ fn read(path: &str) -> Result<SourceFile, Outcome> {
             diagnostics: vec![error],
         })
     })
+}
+
+/// The bytes of a file, and one more than a document may have of a larger one.
+fn bytes_of(path: &str) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let file = fs::File::open(path)?;
+    file.take(MAXIMUM_SIZE as u64 + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 fn unreadable(path: &str, error: &std::io::Error) -> Outcome {

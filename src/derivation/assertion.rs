@@ -7,11 +7,12 @@ use std::collections::BTreeSet;
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::polynomial::Polynomial;
+use crate::algebra::symbol::Symbol;
 
 use super::condition::Conditions;
 use super::diagnostic::{Diagnostic, DiagnosticKind};
 use super::elaboration::Elaborator;
-use super::elaboration::error::algebra;
+use super::elaboration::error::{algebra, unexpandable};
 use super::elaboration::limit::check_order;
 use super::quantity::{Value, common_unit};
 use super::syntax::{Comparison, Expectation, Expression, Label, Order, Relation, Span};
@@ -124,6 +125,9 @@ impl Elaborator {
                 None,
             ),
         };
+        if let Some(order) = &assertion.order {
+            self.require_where_small_vanish([&left, &right], order, span)?;
+        }
         let needed = std::mem::take(&mut self.conditions);
         let names = match outcome {
             Outcome::Different(_) | Outcome::Open => self.value_names([&left, &right], span)?,
@@ -139,6 +143,28 @@ impl Elaborator {
             sides: Some((left, right)),
             names,
         })
+    }
+
+    /// The conditions of an approximation: those of both sides and of their expansions, where the small
+    /// quantities vanish.
+    fn require_where_small_vanish(
+        &mut self,
+        sides: [&Value; 2],
+        order: &Order,
+        span: &Span,
+    ) -> Result<(), Diagnostic> {
+        let small = self.variables(&order.small)?;
+        let names: Vec<String> = order.small.iter().map(|s| s.value.to_string()).collect();
+        let zero = |symbol: &Symbol| (*symbol, self.ring.zero());
+        let at_zero = small.iter().map(zero).collect();
+        let needed = std::mem::take(&mut self.conditions);
+        self.require_after(&needed, &at_zero, span)
+            .map_err(|error| unexpandable(error, &names, span))?;
+        for side in sides {
+            self.require_expansion(side, &small, &at_zero, span)
+                .map_err(|error| unexpandable(error, &names, span))?;
+        }
+        Ok(())
     }
 
     /// Both sides, or why they cannot be compared: their units or shapes do not match.

@@ -31,9 +31,17 @@ impl Conditions {
         self.required.is_empty()
     }
 
-    /// The polynomials and what they must be.
+    /// The polynomials and what they must be; what must be above 0 need not be told to differ from it.
     pub fn iter(&self) -> impl Iterator<Item = &(Requirement, Polynomial)> {
-        self.required.iter()
+        let is_positive = |polynomial: &Polynomial| {
+            let positive = (Requirement::Positive, polynomial.clone());
+            self.required.contains(&positive)
+        };
+        self.required
+            .iter()
+            .filter(move |(requirement, polynomial)| {
+                *requirement == Requirement::Positive || !is_positive(polynomial)
+            })
     }
 
     /// Adds all of the others.
@@ -90,8 +98,10 @@ impl Conditions {
                 rest = rest.multiply(&factor, ring.budget())?;
             }
         }
-        self.required
-            .insert((Requirement::Positive, ring.shorten(&ring.reduce(&rest)?)?));
+        let rest = ring.shorten(&ring.reduce(&rest)?)?;
+        if !rest.is_one() {
+            self.required.insert((Requirement::Positive, rest));
+        }
         Ok(())
     }
 
@@ -111,8 +121,12 @@ impl Conditions {
             let element = ring.fraction(polynomial, &Polynomial::one())?;
             let image = ring.substitute(&element, substitution)?;
             match requirement {
-                _ if image.is_zero() => return Err(AlgebraError::DivisionByZero),
+                Requirement::NonZero if image.is_zero() => {
+                    return Err(AlgebraError::DivisionByZero);
+                }
                 Requirement::NonZero => conditions.require_non_zero(&image, ring)?,
+                // The root of 0 is 0; a slope there is another condition.
+                Requirement::Positive if image.is_zero() => {}
                 Requirement::Positive => conditions.require_positive(&image, ring)?,
             }
         }

@@ -29,8 +29,6 @@ pub enum DiagnosticKind {
     Singular,
     /// Equations contradict each other.
     Inconsistent,
-    /// An assertion does not turn out as its author expects.
-    Expectation,
     /// The two routes to a verdict disagree: a mistake of this program.
     Disagreement,
     /// A fenced block is not closed.
@@ -62,7 +60,6 @@ impl DiagnosticKind {
             Self::NotPolynomial => "not-polynomial",
             Self::Singular => "singular",
             Self::Inconsistent => "inconsistent",
-            Self::Expectation => "expectation",
             Self::Disagreement => "disagreement",
             Self::UnbalancedFence => "unbalanced-fence",
             Self::NotUtf8 => "not-utf-8",

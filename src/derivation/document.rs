@@ -11,7 +11,7 @@ use super::statement_parser::is_keyword;
 use super::syntax::{Label, Span, Statement, StatementKind};
 
 /// How many bytes a document may have.
-const MAXIMUM_SIZE: usize = 4 << 20;
+pub const MAXIMUM_SIZE: usize = 4 << 20;
 /// How many mistakes are reported; more help nobody.
 const MAXIMUM_DIAGNOSTICS: usize = 100;
 

@@ -1,12 +1,9 @@
 //! What a document wants compiled.
 
 use super::diagnostic::{Diagnostic, DiagnosticKind, nearest};
-use super::elaboration::Elaborator;
-use super::quantity::Value;
 use super::syntax::{
     EvaluatorBody, Expression, Label, Name, Node, Span, Spanned, Statement, StatementKind,
 };
-use super::verdict::Condition;
 
 /// Something to compile: named outputs, each an expression of the document.
 #[derive(Clone, Debug)]
@@ -19,8 +16,6 @@ pub struct Evaluator {
     pub description: Option<String>,
     /// What it computes.
     pub outputs: Vec<Output>,
-    /// What must hold for the outputs to exist.
-    pub conditions: Vec<Condition>,
     /// Where the document asks for it.
     pub span: Span,
 }
@@ -32,18 +27,15 @@ pub struct Output {
     pub name: Name,
     /// What it is.
     pub expression: Expression,
-    /// What that is in the ring.
-    pub value: Value,
 }
 
-impl Elaborator {
-    /// What an `evaluator` statement asks for, given those before it.
+impl Evaluator {
+    /// What an `evaluator` statement asks for, given those before it; nothing is computed yet.
     ///
     /// # Errors
     ///
-    /// A [`Diagnostic`] where a name is taken or unknown, or an output has no value.
-    pub(super) fn evaluator(
-        &mut self,
+    /// A [`Diagnostic`] where a name is taken or unknown.
+    pub(super) fn of(
         statement: &Statement,
         known: &[Evaluator],
     ) -> Result<Option<Evaluator>, Diagnostic> {
@@ -76,18 +68,15 @@ impl Elaborator {
                 );
             }
             outputs.push(Output {
-                value: self.value(&expression)?,
                 name: name.value,
                 expression,
             });
         }
-        let needed = std::mem::take(&mut self.conditions);
         Ok(Some(Evaluator {
             label: label.clone(),
             name: name.value.clone(),
             description: description.clone(),
             outputs,
-            conditions: self.present_conditions(&needed, &statement.span)?,
             span: name.span.clone(),
         }))
     }

@@ -1,5 +1,6 @@
 //! The verdicts on assertions: what the first route found, with the second at points.
 
+pub mod matching;
 mod points;
 mod sides;
 mod witness;
@@ -13,11 +14,11 @@ use crate::algebra::sign::Signs;
 use super::assertion::{Assertion, Finding, Outcome};
 use super::diagnostic::{Diagnostic, DiagnosticKind};
 use super::evaluation::evaluator::{Evaluator, Failure};
-use super::matching::check::MatchingCheck;
 use super::scope::Scope;
 use super::syntax::{Name, Relation, Span};
 use super::verdict::{Claim, Verdict, Witness};
 
+use matching::MatchingCheck;
 use points::{NO_POINT, Points, random_point, simple_point};
 use sides::{compare, sides};
 use witness::{Fruitless, witness};

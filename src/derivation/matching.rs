@@ -1,6 +1,5 @@
 //! Matching two polynomials coefficient by coefficient.
 
-pub mod check;
 mod equations;
 mod linear_form;
 mod residual;

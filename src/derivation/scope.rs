@@ -28,6 +28,8 @@ pub enum Meaning {
         reference: Expression,
         /// What that is.
         argument: Quantity,
+        /// What must hold for it to exist.
+        conditions: Conditions,
         /// The unit of its values.
         unit: Unit,
     },

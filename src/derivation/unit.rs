@@ -42,6 +42,13 @@ impl Unit {
         Unit::default()
     }
 
+    /// s: a second.
+    pub fn second() -> Self {
+        Unit {
+            exponents: BTreeMap::from([("s", Rational::ONE)]),
+        }
+    }
+
     fn named(name: &str) -> Option<Self> {
         let (_, exponents) = UNITS.iter().find(|(known, _)| *known == name)?;
         let bases = UNITS.iter().map(|(base, _)| *base);

@@ -151,7 +151,7 @@ impl Elaborator {
 }
 
 /// The signs that left − right may have.
-pub fn allowed(comparison: Comparison) -> Signs {
+fn allowed(comparison: Comparison) -> Signs {
     match comparison {
         Comparison::Equal => Signs::ZERO,
         Comparison::Less => Signs::NEGATIVE,

@@ -98,10 +98,12 @@ impl Reader<'_> {
             } => {
                 let unit = Unit::parse(unit)?;
                 let argument = self.elaborator.scalar(reference)?;
+                let conditions = std::mem::take(&mut self.elaborator.conditions);
                 for name in names {
                     let meaning = Meaning::Function {
                         reference: reference.clone(),
                         argument: argument.clone(),
+                        conditions: conditions.clone(),
                         unit: unit.clone(),
                     };
                     self.elaborator

@@ -9,8 +9,8 @@ use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
 use crate::derivation::document::{Document, parse_document_with};
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::evaluator::Evaluator;
+use crate::derivation::judge::matching::MatchingCheck;
 use crate::derivation::matching::Matched;
-use crate::derivation::matching::check::MatchingCheck;
 use crate::derivation::name::Aliases;
 use crate::derivation::quantity::Quantity;
 use crate::derivation::scope::Meaning;
@@ -99,7 +99,7 @@ impl<'a> Reader<'a> {
             read.matchings.push(matched);
             return Ok(());
         }
-        if let Some(evaluator) = self.elaborator.evaluator(statement, &self.evaluators)? {
+        if let Some(evaluator) = Evaluator::of(statement, &self.evaluators)? {
             self.evaluators.push(evaluator);
             return Ok(());
         }
@@ -168,7 +168,11 @@ impl<'a> Reader<'a> {
                 .with_label("this is 0")
                 .with_help("every value is an eigenvalue of 0; give a vector with an entry other than 0"));
         }
-        Ok(())
+        let mut others = value.entries().iter().filter(|entry| !zero(entry));
+        match (others.next(), others.next()) {
+            (Some(only), None) => self.elaborator.require_non_zero(&only.value, &vector.span),
+            _ => Ok(()),
+        }
     }
 
     /// What is known of the signs of symbols, by ASCII name.

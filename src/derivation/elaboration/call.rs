@@ -2,7 +2,7 @@
 
 use crate::algebra::number::Rational;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::derivation::quantity::{Quantity, Value};
+use crate::derivation::quantity::{Quantity, Value, common_unit};
 use crate::derivation::scope::Meaning;
 use crate::derivation::syntax::{Expression, Name, Span};
 use crate::derivation::unit::Unit;
@@ -89,6 +89,7 @@ impl Elaborator {
     ) -> Result<Value, Diagnostic> {
         let Meaning::Function {
             argument: reference,
+            conditions,
             unit,
             ..
         } = &self.scope.find(name, span)?.meaning
@@ -102,6 +103,20 @@ impl Elaborator {
         };
         let unit = unit.clone();
         let argument = argument.unwrap_or_else(|| reference.clone());
+        if common_unit(&argument.unit, &reference.unit).is_err() {
+            let shown = |quantity: &Quantity| {
+                let unit = quantity.unit.as_ref();
+                unit.map(ToString::to_string).unwrap_or_default()
+            };
+            let (given, wanted) = (shown(&argument), shown(reference));
+            let message = format!("the argument of `{name}` is in {given}, not in {wanted}");
+            return Err(Diagnostic::new(DiagnosticKind::Unit, span.clone(), message)
+                .with_label(format!("{given}, not {wanted}"))
+                .with_help("the unit is that of what stands behind `at` in its declaration"));
+        }
+        if argument.value == reference.value {
+            self.conditions.extend(conditions);
+        }
         let slope = match &argument.unit {
             Some(per) => per.inverse().power(&Rational::from(order)),
             None => Unit::one(),

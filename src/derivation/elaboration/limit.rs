@@ -24,6 +24,9 @@ const HIGHEST_ORDER: u32 = 12;
 /// The most minors that one determinant may need.
 const MOST_MINORS: usize = 20_000;
 
+/// The most replacements in one `at`.
+const MOST_REPLACEMENTS: usize = 500;
+
 /// The most terms that the entries of one value may have together.
 const MOST_TERMS_OF_A_VALUE: usize = 1_000_000;
 
@@ -84,6 +87,19 @@ pub fn check_order(order: u32, span: &Span) -> Result<u32, Diagnostic> {
     )
 }
 
+/// Allows so many replacements at once; what carries them out is recursive.
+pub fn check_replacements(count: usize, span: &Span) -> Result<(), Diagnostic> {
+    if count <= MOST_REPLACEMENTS {
+        return Ok(());
+    }
+    let message = format!("more than {MOST_REPLACEMENTS} replacements in one `at`");
+    Err(
+        Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+            .with_label(format!("{count} replacements"))
+            .with_help("replace in several steps: `(… at …) at …`"),
+    )
+}
+
 /// Allows a matrix of so many rows and columns.
 pub fn check_sides(rows: usize, columns: usize, span: &Span) -> Result<(), Diagnostic> {
     if rows.max(columns) <= MOST_ROWS {
@@ -102,18 +118,28 @@ pub fn check_sides(rows: usize, columns: usize, span: &Span) -> Result<(), Diagn
 /// Counts the minors that an expansion along the rows needs, leaving out entries that are 0; each
 /// counts as often as `weight` says.
 pub fn check_minors(matrix: &Value, weight: usize, span: &Span) -> Result<(), Diagnostic> {
-    let all = u64::MAX >> (u64::BITS as usize - matrix.columns().clamp(1, u64::BITS as usize));
+    let is_zero = |row: usize, column: usize| matrix.at(row, column).value.is_zero();
+    check_minors_of(matrix.shape(), is_zero, weight, span)
+}
+
+/// The same by the shape of a matrix and the places of its zeros.
+pub fn check_minors_of(
+    (rows, columns): (usize, usize),
+    is_zero: impl Fn(usize, usize) -> bool,
+    weight: usize,
+    span: &Span,
+) -> Result<(), Diagnostic> {
+    let all = u64::MAX >> (u64::BITS as usize - columns.clamp(1, u64::BITS as usize));
     let (mut level, mut count) = (BTreeSet::from([all]), 0);
-    for row in 0..matrix.rows() {
+    for row in 0..rows {
         let mut next = BTreeSet::new();
-        for columns in level {
-            for column in (0..matrix.columns()).filter(|column| columns & (1 << column) != 0) {
-                if !matrix.at(row, column).value.is_zero() {
-                    next.insert(columns & !(1 << column));
+        for left in level {
+            for column in (0..columns).filter(|column| left & (1 << column) != 0) {
+                if !is_zero(row, column) {
+                    next.insert(left & !(1 << column));
                 }
             }
             if (count + next.len()) * weight > MOST_MINORS {
-                let (rows, columns) = matrix.shape();
                 let message = format!(
                     "this is too large to compute: the determinants of this {rows}×{columns} matrix \
                      need more than {MOST_MINORS} minors"

@@ -18,6 +18,7 @@ use crate::derivation::unit::Unit;
 
 use super::Elaborator;
 use super::error::{algebra, quantity as quantity_error};
+use super::limit::check_replacements;
 
 /// What a named substitution came to.
 #[derive(Debug)]
@@ -129,6 +130,7 @@ impl Elaborator {
         replacements: &[Replacement],
         span: &Span,
     ) -> Result<Substitution, Diagnostic> {
+        check_replacements(replacements.len(), span)?;
         let mut substitution = Substitution::new();
         for Replacement { target, value } in replacements {
             let quantity = self.scalar(target)?;
@@ -151,18 +153,23 @@ impl Elaborator {
                 .with_help("replace it once; replacements in one `at` are carried out together"));
             }
         }
-        self.respect_assumptions(&substitution, replacements, span)?;
+        let place = replacements
+            .iter()
+            .find(|replacement| !replacement.value.span.is_empty());
+        let place = place.map_or(span, |replacement| &replacement.value.span);
+        self.respect_assumptions(&substitution, |signs| signs, place)?;
         Ok(substitution)
     }
 
-    /// Sees that what is assumed of symbols remains true of what replaces them: roots and signs were
-    /// found with it.
-    fn respect_assumptions(
+    /// Sees that what is assumed of symbols remains true, as far as wanted, of what replaces them: roots
+    /// and signs were found with it.
+    pub(in crate::derivation) fn respect_assumptions(
         &mut self,
         substitution: &Substitution,
-        replacements: &[Replacement],
-        span: &Span,
+        wanted: fn(Signs) -> Signs,
+        place: &Span,
     ) -> Result<(), Diagnostic> {
+        let span = place;
         let wrap = |error| algebra(error, span);
         let assumed: Vec<(Polynomial, Signs)> = {
             let assumptions = self.ring.assumptions();
@@ -174,27 +181,22 @@ impl Elaborator {
                 .collect()
         };
         for (polynomial, signs) in assumed {
-            if !substitution
-                .keys()
-                .any(|symbol| polynomial.contains(*symbol))
-            {
-                continue;
-            }
             let element = Fraction::from(polynomial.clone());
             let image = self.ring.substitute(&element, substitution).map_err(wrap)?;
-            if !self.ring.signs(&image).map_err(wrap)?.is_within(signs) {
+            if image == element {
+                continue;
+            }
+            let found = self.ring.signs(&image).map_err(wrap)?;
+            if !found.is_within(wanted(signs)) {
                 let assumed = self.assumption(&polynomial, signs).map_err(wrap)?;
-                let place = replacements
-                    .iter()
-                    .find(|replacement| !replacement.value.span.is_empty());
-                let place =
-                    place.map_or(span.clone(), |replacement| replacement.value.span.clone());
                 let message = format!("this need not respect the assumption {assumed}");
-                return Err(Diagnostic::new(DiagnosticKind::Arguments, place, message)
-                    .with_label("what was found by the assumption may not hold here")
-                    .with_help(
-                        "replace it by something whose sign follows from the declarations",
-                    ));
+                return Err(
+                    Diagnostic::new(DiagnosticKind::Arguments, place.clone(), message)
+                        .with_label("what was found by the assumption may not hold here")
+                        .with_help(
+                            "replace it by something whose sign follows from the declarations",
+                        ),
+                );
             }
         }
         Ok(())

@@ -19,7 +19,7 @@ use crate::derivation::scope::Scope;
 use crate::derivation::syntax::{Expression, Node};
 
 use super::number::Number;
-use super::point::{Argument, Key, Point, Size};
+use super::point::{Key, Point, Size};
 use super::sample::Sample;
 use super::table::{Table, each, numbers, only, single};
 
@@ -101,7 +101,8 @@ impl<'a> Evaluator<'a> {
         order: u32,
     ) -> Result<Vec<Vec<Vec<Number>>>, Failure> {
         self.begin();
-        let keys = small.iter().map(|name| self.key_of(name)).collect();
+        let keys = small.iter().map(|name| self.key_of(name));
+        let keys = keys.collect::<Result<_, _>>()?;
         let parts = self.expansion(expression, keys, order, Context::default())?;
         self.finish()?;
         Ok(parts)
@@ -118,18 +119,10 @@ impl<'a> Evaluator<'a> {
         variable: &str,
     ) -> Result<Vec<Number>, Failure> {
         self.begin();
-        let key = self.key_of(variable);
+        let key = self.key_of(variable)?;
         let coefficients = self.interpolation(polynomial, &key, Context::default())?;
         self.finish()?;
         Ok(coefficients)
-    }
-
-    /// The key of something that has a value of its own, by its ASCII name.
-    fn key_of(&self, name: &str) -> Key {
-        match self.scope.kind_of(name) {
-            Some(_) => Key::Symbol(name.to_string(), 0),
-            None => Key::Function(name.to_string(), 0, Argument::Reference),
-        }
     }
 
     fn begin(&mut self) {

@@ -36,6 +36,8 @@ pub enum Argument {
     Angle(Tag),
     /// A number.
     Number(Number),
+    /// A sum of angles and a number more.
+    Both(Tag, Number),
 }
 
 /// One of the angles of which others are sums.
@@ -98,7 +100,7 @@ impl Point {
             Key::Symbol(name, 0) => (name.clone(), self.signs.get(name).copied()),
             Key::Symbol(name, order) => (nested_dt(name, *order), None),
             Key::Function(name, order, argument) => {
-                let primed = primed(name, *order);
+                let primed = self.derivative_name(name, *order);
                 match argument {
                     Argument::Reference => (primed, None),
                     Argument::Angle(tag) => (format!("{primed}({})", written(tag)), None),
@@ -106,10 +108,23 @@ impl Point {
                         format!("{primed}({})", number.display(&self.extension)),
                         None,
                     ),
+                    Argument::Both(tag, number) => {
+                        let number = number.display(&self.extension);
+                        (format!("{primed}({} + {number})", written(tag)), None)
+                    }
                 }
             }
         };
         Number::from(self.draw(&name, signs.unwrap_or(Signs::ANY)))
+    }
+
+    /// `dC`, or `C'` where a parameter is called `dC`.
+    fn derivative_name(&self, name: &str, order: u32) -> String {
+        let primed = primed(name, order);
+        match self.signs.contains_key(&primed) {
+            true => format!("{name}{}", "'".repeat(order as usize)),
+            false => primed,
+        }
     }
 
     /// A whole number that depends on the seed alone.

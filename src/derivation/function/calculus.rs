@@ -3,6 +3,8 @@
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::differential::Differential;
 use crate::algebra::matrix::Matrix;
+use crate::algebra::sign::Signs;
+use crate::algebra::substitution::Substitution;
 use crate::algebra::symbol::Symbol;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
@@ -10,7 +12,7 @@ use crate::derivation::elaboration::error::{algebra, expansion, shape, unexpanda
 use crate::derivation::elaboration::limit::check_order;
 use crate::derivation::notation::Notation;
 use crate::derivation::quantity::{Quantity, Value};
-use crate::derivation::syntax::{Expression, Span, Spanned};
+use crate::derivation::syntax::{Expression, Span};
 use crate::derivation::unit::Unit;
 
 impl Elaborator {
@@ -117,6 +119,8 @@ impl Elaborator {
         let names = self.written(&symbols, span)?;
         self.require_after(&needed, &at_zero, span)
             .map_err(|error| unexpandable(error, &names, span))?;
+        self.require_expansion(&value, &symbols, &at_zero, span)
+            .map_err(|error| unexpandable(error, &names, span))?;
         value.try_map(|entry| {
             let value = self.ring.truncate(&entry.value, &symbols, order);
             Ok(Quantity {
@@ -125,12 +129,44 @@ impl Elaborator {
             })
         })
     }
+
+    /// Requires what an expansion in small quantities rests on: where they vanish, no denominator and no
+    /// root that they move may do so, and what is assumed of signs may at most become 0.
+    pub(in crate::derivation) fn require_expansion(
+        &mut self,
+        value: &Value,
+        small: &[Symbol],
+        at_zero: &Substitution,
+        span: &Span,
+    ) -> Result<(), Diagnostic> {
+        let closure = |signs: Signs| Signs {
+            zero: true,
+            ..signs
+        };
+        self.respect_assumptions(at_zero, closure, span)
+            .map_err(|error| match error.kind {
+                DiagnosticKind::Arguments => error
+                    .with_label("it may fail where the small quantities vanish")
+                    .with_help("declare signs that remain true there, at least as `>= 0`"),
+                _ => error,
+            })?;
+        for entry in value.entries() {
+            let mut divisors = vec![entry.value.denominator().clone()];
+            for symbol in small {
+                let along = Differential::partial(*symbol, &self.ring);
+                let roots = self.ring.moving_radicands(&entry.value, &along);
+                divisors.extend(roots.map_err(|error| algebra(error, span))?);
+            }
+            for divisor in divisors {
+                let image = self.ring.substitute(&divisor.into(), at_zero);
+                let image = image.map_err(|error| algebra(error, span))?;
+                self.require_non_zero(&image, span)?;
+            }
+        }
+        Ok(())
+    }
 }
 
 fn per_second() -> Unit {
-    let seconds = Spanned {
-        value: "1/s".to_string(),
-        span: 0..0,
-    };
-    Unit::parse(&seconds).unwrap_or_default()
+    Unit::second().inverse()
 }

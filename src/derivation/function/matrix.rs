@@ -7,7 +7,7 @@ use crate::algebra::number::Rational;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::{quantity, shape};
-use crate::derivation::elaboration::limit::check_sides;
+use crate::derivation::elaboration::limit::{check_minors, check_sides};
 use crate::derivation::quantity::{Quantities, Quantity, Value};
 use crate::derivation::syntax::{Expression, Node, Span};
 
@@ -134,7 +134,7 @@ impl Elaborator {
             .with_label(format!("{} rows, not {}", b.rows(), a.rows()))
             .with_help("the right side of n equations is a column with n entries"));
         }
-        self.adjugate(&a, span)?;
+        check_minors(&a, a.rows() + 1, span)?;
         let solved =
             solve(&a, &b, &Quantities(&self.ring)).map_err(|error| quantity(error, span))?;
         if solved.determinant.value.is_zero() {

@@ -11,7 +11,7 @@ use crate::derivation::syntax::Relation;
 use super::sides::compare;
 
 /// How many points are tried to find one that satisfies the assumptions.
-const MOST_ATTEMPTS: u64 = 400;
+const MOST_ATTEMPTS: u64 = 20_000;
 
 /// Numbers large enough that two different expressions do not agree by chance.
 const LARGE: Size = Size {
@@ -47,6 +47,15 @@ pub const NO_POINT: &str = "no point was found that satisfies the assumptions";
 /// The seed and the size of the numbers for an attempt at a point.
 type Choice = fn(point: u64, attempt: u64) -> (u64, Size);
 
+/// A seed of its own for every attempt.
+fn seed(point: u64, attempt: u64) -> u64 {
+    const USUAL: u64 = 400;
+    match attempt {
+        0..USUAL => point * USUAL + attempt,
+        _ => 10_000_000 + point * MOST_ATTEMPTS + attempt,
+    }
+}
+
 /// Random points with large numbers.
 pub fn random_point(point: u64, attempt: u64) -> (u64, Size) {
     let size = if attempt.is_multiple_of(4) {
@@ -54,14 +63,14 @@ pub fn random_point(point: u64, attempt: u64) -> (u64, Size) {
     } else {
         MIXED
     };
-    (point * MOST_ATTEMPTS + attempt, size)
+    (seed(point, attempt), size)
 }
 
 /// Simple points, slowly less so.
 pub fn simple_point(point: u64, attempt: u64) -> (u64, Size) {
     let larger = (point / 40 + attempt / 100) as usize;
     let size = SMALL[larger.min(SMALL.len() - 1)];
-    (1_000_000 + point * MOST_ATTEMPTS + attempt, size)
+    (1_000_000 + seed(point, attempt), size)
 }
 
 /// Points that satisfy the assumptions, made when they are first asked for.
@@ -72,6 +81,8 @@ pub struct Points<'a> {
     signs: BTreeMap<String, Signs>,
     choose: Choice,
     evaluators: Vec<Evaluator<'a>>,
+    /// Whether no further point was found.
+    exhausted: bool,
 }
 
 impl<'a> Points<'a> {
@@ -88,17 +99,19 @@ impl<'a> Points<'a> {
             signs,
             choose,
             evaluators: Vec::new(),
+            exhausted: false,
         }
     }
 
     /// An evaluator at one of the points, counted from 0; nothing where no such point is found.
     pub fn at(&mut self, place: usize) -> Option<&mut Evaluator<'a>> {
-        while self.evaluators.len() <= place {
+        while self.evaluators.len() <= place && !self.exhausted {
             let point = self.evaluators.len() as u64;
             let found = (0..MOST_ATTEMPTS)
                 .map(|attempt| (self.choose)(point, attempt))
                 .find_map(|(seed, size)| self.admissible(seed, size));
-            self.evaluators.push(found?);
+            self.exhausted = found.is_none();
+            self.evaluators.extend(found);
         }
         self.evaluators.get_mut(place)
     }

@@ -3,7 +3,6 @@
 use std::cmp::Ordering;
 
 use crate::derivation::assertion::Assertion;
-use crate::derivation::assertion::comparison::allowed;
 use crate::derivation::evaluation::evaluator::{Evaluator, Failure};
 use crate::derivation::evaluation::number::Number;
 use crate::derivation::evaluation::number::extension::Extension;
@@ -55,11 +54,13 @@ pub fn compare(
     let [[b]] = [right.first()?.as_slice()] else {
         return None;
     };
-    let wanted = allowed(comparison);
-    Some(match extension.order(&a.difference(b))? {
-        Ordering::Less => wanted.negative,
-        Ordering::Equal => wanted.zero,
-        Ordering::Greater => wanted.positive,
+    let order = extension.order(&a.difference(b))?;
+    Some(match comparison {
+        Comparison::Equal => order == Ordering::Equal,
+        Comparison::Less => order == Ordering::Less,
+        Comparison::LessOrEqual => order != Ordering::Greater,
+        Comparison::Greater => order == Ordering::Greater,
+        Comparison::GreaterOrEqual => order != Ordering::Less,
     })
 }
 

@@ -148,11 +148,11 @@ fn meets<'a>(
         };
         let value = value.and_then(|value| value.first()?.first().cloned());
         let extension = &evaluator.point().extension;
-        value.is_none_or(|value| match condition.requirement {
+        value.is_some_and(|value| match condition.requirement {
             Requirement::NonZero => !value.is_zero(),
             Requirement::Positive => {
                 let order = extension.order(&value);
-                order.is_none_or(|order| order == Ordering::Greater)
+                order == Some(Ordering::Greater)
             }
         })
     })

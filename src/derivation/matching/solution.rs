@@ -8,6 +8,7 @@ use crate::derivation::condition::Conditions;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::algebra;
+use crate::derivation::elaboration::limit::check_minors_of;
 use crate::derivation::scope::Meaning;
 use crate::derivation::syntax::{Expression, Matching, Name, Replacement, Span};
 
@@ -41,6 +42,8 @@ impl Elaborator {
         let matrix = Matrix::from_fn(count, count, |row, column| {
             equations.rows[row][column].clone()
         });
+        let is_zero = |row: usize, column: usize| equations.rows[row][column].is_zero();
+        check_minors_of((count, count), is_zero, count + 1, span)?;
         let right = Matrix::from_fn(count, 1, |row, _| equations.right[row].clone());
         let solved = solve(&matrix, &right, &self.ring).map_err(wrap)?;
         if solved.determinant.is_zero() {

@@ -11,7 +11,7 @@ impl Evaluator<'_> {
     /// (cos, sin) of an angle a + n: by the addition formulas from those of a, and by their finite
     /// series from those of a nilpotent n.
     pub(super) fn circular(&mut self, angle: &Sample) -> Result<(Number, Number), Failure> {
-        let tag = angle.angle.as_ref().ok_or("the sine of what is no angle")?;
+        let tag = angle.as_angle().ok_or("the sine of what is no angle")?;
         let (cosine, sine) = self
             .point
             .circle_of(tag)
@@ -82,10 +82,7 @@ impl Evaluator<'_> {
             let measure = self.point.value(&Key::Symbol(name, 0));
             sum.sum(&measure.scale(count))
         });
-        Ok(Sample {
-            number,
-            angle: Some(tag),
-        })
+        Ok(Sample::of_angle(tag, number))
     }
 
     /// The sum of declared angles with the given cosine and sine, or a new atom for it.

@@ -54,7 +54,11 @@ impl<'a> Evaluator<'a> {
             ("hurwitz", [polynomial, variable, size]) => {
                 let size = self.natural(size, context)?;
                 let key = self.key(variable, context)?;
-                let coefficients = self.interpolation(polynomial, &key, context)?;
+                let mut coefficients = self.interpolation(polynomial, &key, context)?;
+                // The degree is that of the polynomial before anything is replaced in it.
+                let general = Context::of(0).in_frame(context.frame);
+                let degree = self.interpolation(polynomial, &key, general)?.len();
+                coefficients.resize(coefficients.len().max(degree), Number::default());
                 let matrix = hurwitz(&coefficients, size);
                 Ok(single(determinant(&matrix, &self.point.extension)))
             }

@@ -151,8 +151,9 @@ impl<'a> Evaluator<'a> {
 }
 
 fn argument_of(sample: &Sample) -> Argument {
-    match &sample.angle {
-        Some(tag) => Argument::Angle(tag.clone()),
-        None => Argument::Number(sample.number.base()),
+    match (sample.as_angle(), sample.angle.is_empty()) {
+        (Some(angle), _) => Argument::Angle(angle.clone()),
+        (None, true) => Argument::Number(sample.rest.clone()),
+        (None, false) => Argument::Both(sample.angle.clone(), sample.rest.clone()),
     }
 }

@@ -15,7 +15,7 @@ const MOST_NODES: i64 = 40;
 const CONFIRMATIONS: usize = 3;
 
 impl<'a> Evaluator<'a> {
-    /// The coefficients of a polynomial from its values at a, a + 1, a + 2, …, by Newton's divided
+    /// The coefficients of a polynomial from its values at a, a + h, a + 2h, …, h = ±1, by Newton's divided
     /// differences, until some more values change nothing.
     pub(super) fn interpolation(
         &mut self,
@@ -25,33 +25,40 @@ impl<'a> Evaluator<'a> {
     ) -> Result<Vec<Number>, Failure> {
         let mut differences: Vec<Number> = Vec::new();
         let mut newton: Vec<Number> = Vec::new();
-        // The nodes begin where no document's polynomial is likely to have its zeros.
+        // The nodes begin where no document's polynomial is likely to have its zeros, and have the sign
+        // that the variable has at the point.
         let first = self.point.first_node();
+        let value = self.point.value(key).as_rational();
+        let sign = if value.is_some_and(|value| value < Rational::ZERO) {
+            -1
+        } else {
+            1
+        };
         for node in 0..MOST_NODES {
-            let place = Number::from(first + node);
+            let place = Number::from(sign * (first + node));
             let inside = self.changed(context, Change::Set(key.clone(), place));
-            // f[xₙ₋ⱼ, …, xₙ] = (f[xₙ₋ⱼ₊₁, …, xₙ] − f[xₙ₋ⱼ, …, xₙ₋₁])/j
+            // f[xₙ₋ⱼ, …, xₙ] = (f[xₙ₋ⱼ₊₁, …, xₙ] − f[xₙ₋ⱼ, …, xₙ₋₁])/(j h)
             let mut current = vec![self.number(polynomial, inside)?];
             for (j, previous) in (1..).zip(&differences) {
                 let change = current[j - 1].difference(previous);
-                current.push(change.scale(&(Rational::ONE / Rational::from(j))));
+                current.push(change.scale(&(Rational::ONE / Rational::from(sign * j as i64))));
             }
             newton.extend(current.last().cloned());
             differences = current;
             let last = newton.iter().rev().take(CONFIRMATIONS);
             if newton.len() > CONFIRMATIONS && last.clone().all(Number::is_zero) {
-                return Ok(expand_newton(&newton, first));
+                return Ok(expand_newton(&newton, sign * first, sign));
             }
         }
         Err("it is no polynomial of a degree below 37".into())
     }
 }
 
-/// Σ cₖ (λ − a)(λ − a − 1)…(λ − a − k + 1) by powers of λ, by Horner's rule.
-fn expand_newton(newton: &[Number], first: i64) -> Vec<Number> {
+/// Σ cₖ (λ − a)(λ − a − h)…(λ − a − (k − 1)h) by powers of λ, by Horner's rule.
+fn expand_newton(newton: &[Number], first: i64, step: i64) -> Vec<Number> {
     let mut coefficients: Vec<Number> = Vec::new();
     for (index, leading) in newton.iter().enumerate().rev() {
-        let node = index as i64 + first;
+        let node = index as i64 * step + first;
         // p ← p·(λ − node) + c
         let mut next = vec![Number::default(); coefficients.len() + 1];
         for (power, coefficient) in coefficients.iter().enumerate() {

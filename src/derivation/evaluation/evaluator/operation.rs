@@ -72,6 +72,9 @@ impl<'a> Evaluator<'a> {
         {
             return Err("the root of a negative number".into());
         }
+        if self.nilpotents > 0 && square.base().is_zero() {
+            return Err("a root of what vanishes with a small quantity".into());
+        }
         let root = self.point.extension.square_root(square);
         root.ok_or("a root that exact numbers cannot follow".into())
     }

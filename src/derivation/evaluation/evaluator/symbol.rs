@@ -87,10 +87,7 @@ impl<'a> Evaluator<'a> {
                 }
                 Ok(sample)
             }
-            Change::Set(set, value) if set == key => Ok(Sample {
-                number: value.clone(),
-                angle: None,
-            }),
+            Change::Set(set, value) if set == key => Ok(Sample::from(value.clone())),
             Change::Set(..) => self.look_up(key, parent),
             Change::Replace { symbols, frame, .. } => {
                 let Some(value) = symbols.get(key).copied() else {
@@ -125,14 +122,13 @@ impl<'a> Evaluator<'a> {
             }
             _ => self.point.value(key),
         };
-        let angle = match key {
+        Ok(match key {
             Key::Symbol(name, 0) if self.is_angular(name) => {
                 let atom = Atom::Named(name.clone());
-                Some(Tag::from([(atom, Rational::ONE)]))
+                Sample::of_angle(Tag::from([(atom, Rational::ONE)]), number)
             }
-            _ => None,
-        };
-        Ok(Sample { number, angle })
+            _ => Sample::from(number),
+        })
     }
 
     fn is_imaginary(&self, name: &str) -> bool {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::derivation::evaluation::point::Key;
+use crate::derivation::evaluation::point::{Argument, Key};
 use crate::derivation::scope::Meaning;
 use crate::derivation::syntax::{Expression, Name, Node, Place, Replacement, Spanned};
 
@@ -81,6 +81,22 @@ impl<'a> Evaluator<'a> {
                 }
             }
             _ => Err("this is no variable".into()),
+        }
+    }
+
+    /// The key of a variable that is given by its ASCII name.
+    pub(super) fn key_of(&self, ascii: &str) -> Result<Key, Failure> {
+        let reference =
+            |name: &str, order| Key::Function(name.to_string(), order, Argument::Reference);
+        let scope = self.scope;
+        match scope.get(&Name::new(ascii)).map(|entry| &entry.meaning) {
+            Some(Meaning::Symbol { .. }) => Ok(Key::Symbol(ascii.to_string(), 0)),
+            Some(Meaning::Function { .. }) => Ok(reference(ascii, 0)),
+            Some(Meaning::Definition { expression, .. }) => match self.variable(expression, 0)? {
+                Variable::Symbol(key) => Ok(key),
+                Variable::Function(name, order) => Ok(reference(&name.ascii, order)),
+            },
+            _ => Err(format!("{ascii} is no variable")),
         }
     }
 

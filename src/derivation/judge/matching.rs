@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::evaluation::evaluator::{Evaluator, Failure};
 use crate::derivation::evaluation::number::Number;
-use crate::derivation::judge::Checked;
+use crate::derivation::matching::Matched;
 use crate::derivation::syntax::{Expression, Node, Place, Span};
 
-use super::Matched;
+use super::Checked;
 
 /// What is evaluated at points to check a matching: exact − assumed against the residual, power by
 /// power, with the solution put in.
