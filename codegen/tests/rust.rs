@@ -2,7 +2,7 @@
 use sextic_codegen::language::{Language, emit};
 #[test]
 fn writes() {
-    for l in [Language::Rust] {
+    for l in Language::ALL {
         for file in emit(&super::samples::all(), l).unwrap() {
             let path = std::path::Path::new("/tmp/printers/target/probe/")
                 .join(l.name())
