@@ -12,3 +12,4 @@ pub mod horner;
 pub mod language;
 pub mod optimiser;
 pub mod program;
+pub mod rounding;
