@@ -74,6 +74,20 @@ pub fn evaluate_exactly(program: &Program, inputs: &[Rational]) -> Vec<Option<Ra
     values(program, inputs, &Precision::Exact)
 }
 
+/// The outputs over the rationals, with roots that are not rational taken to this many bits from below;
+/// none where a divisor is 0 or a root is not real.
+///
+/// # Panics
+///
+/// If there are fewer values than inputs.
+pub fn evaluate_closely(
+    program: &Program,
+    inputs: &[Rational],
+    bits: usize,
+) -> Vec<Option<Rational>> {
+    values(program, inputs, &Precision::Bits(bits))
+}
+
 /// A program whose constants are doubles.
 struct Doubles<'a> {
     program: &'a Program,
@@ -264,6 +278,9 @@ fn unit_in_the_last_place(value: &Rational) -> Rational {
     let magnitude = value.clone().abs();
     let two = Rational::from(2);
     let power = |exponent: isize| two.pow(exponent);
+    if magnitude.is_zero() {
+        return power(-1074);
+    }
     let above = magnitude.numerator().bit_len() as isize;
     let below = magnitude.denominator().bit_len() as isize;
     let mut exponent = above - below;
