@@ -1,0 +1,109 @@
+//! What is known of a function that is to be written: everything that a template places.
+
+use serde::Serialize;
+
+use crate::cost::Cost;
+use crate::program::Program;
+
+/// An input or an output.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Quantity {
+    /// Its name in the program: ASCII, an identifier.
+    pub name: String,
+    /// Its name in the document.
+    pub symbol: String,
+    /// Its unit as text; empty where it has none.
+    pub unit: String,
+    /// What it is; may be empty.
+    pub description: String,
+}
+
+impl Quantity {
+    /// A quantity without unit and description, which the document calls as the program does.
+    pub fn plain(name: impl Into<String>) -> Self {
+        let name = name.into();
+        Quantity {
+            symbol: name.clone(),
+            name,
+            unit: String::new(),
+            description: String::new(),
+        }
+    }
+}
+
+/// How far the strict evaluation was from the exact one, as measured.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Rounding {
+    /// Over how many points.
+    pub points: usize,
+    /// Where they were drawn.
+    pub domain: String,
+    /// Of each output, the largest error in units in the last place of the exact value.
+    pub largest: Vec<f64>,
+}
+
+/// A function that is to be written in some language.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Evaluator {
+    /// Its name: ASCII, an identifier in snake case.
+    pub name: String,
+    /// What it computes, in a line.
+    pub title: String,
+    /// What it computes, in a paragraph; may be empty.
+    pub description: String,
+    /// The numbers of the equations of the source, without parentheses; may be empty.
+    pub equations: Vec<String>,
+    /// Where the equations stand; may be empty.
+    pub source: String,
+    /// The inputs in the order of the program.
+    pub inputs: Vec<Quantity>,
+    /// The outputs in the order of the program.
+    pub outputs: Vec<Quantity>,
+    /// When the result means something, each as text.
+    pub conditions: Vec<String>,
+    /// What is computed.
+    #[serde(skip)]
+    pub program: Program,
+    /// The command that writes it.
+    pub command: String,
+    /// The document that it was derived in.
+    pub document: String,
+    /// The hash of that document, in hexadecimal digits.
+    pub hash: String,
+    /// What is proven of the text, if anything.
+    pub proof: Option<String>,
+    /// What was measured, if anything.
+    pub rounding: Option<Rounding>,
+}
+
+impl Evaluator {
+    /// An evaluator of a program of which nothing else is known.
+    pub fn plain(name: impl Into<String>, program: Program) -> Self {
+        let name = name.into();
+        Evaluator {
+            title: name.clone(),
+            name,
+            description: String::new(),
+            equations: Vec::new(),
+            source: String::new(),
+            inputs: program.inputs().iter().map(Quantity::plain).collect(),
+            outputs: program
+                .outputs()
+                .iter()
+                .map(|(name, _)| Quantity::plain(name))
+                .collect(),
+            conditions: Vec::new(),
+            program,
+            command: String::new(),
+            document: String::new(),
+            hash: String::new(),
+            proof: None,
+            rounding: None,
+        }
+    }
+
+    /// What it costs.
+    pub fn cost(&self) -> Cost {
+        Cost::of(&self.program)
+    }
+}

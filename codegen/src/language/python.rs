@@ -1,0 +1,220 @@
+//! Python: a module for each evaluator, on NumPy arrays.
+
+use serde::Serialize;
+
+use super::documentation::{self, Comments};
+use super::literal::Decimal;
+use super::names::camel_case;
+use super::statements::{self, Binding, Notation, Sign, Text};
+use super::{Error, Field, File, Named, commands, render};
+use crate::evaluator::Evaluator;
+use crate::optimiser::prune::prune;
+
+const MODULE: &str = include_str!("../../templates/python/module.py.tera");
+const PACKAGE: &str = include_str!("../../templates/python/__init__.py.tera");
+
+/// Keywords, and names that an emitted function uses.
+const RESERVED: [&str; 47] = [
+    "False",
+    "None",
+    "True",
+    "and",
+    "as",
+    "assert",
+    "async",
+    "await",
+    "break",
+    "case",
+    "class",
+    "continue",
+    "def",
+    "del",
+    "elif",
+    "else",
+    "except",
+    "exec",
+    "finally",
+    "for",
+    "from",
+    "global",
+    "if",
+    "import",
+    "in",
+    "inputs",
+    "is",
+    "lambda",
+    "match",
+    "nonlocal",
+    "not",
+    "np",
+    "or",
+    "outputs",
+    "pass",
+    "print",
+    "raise",
+    "return",
+    "shape",
+    "type",
+    "try",
+    "while",
+    "with",
+    "yield",
+    "float",
+    "dataclass",
+    "ArrayLike",
+];
+
+const COMMENTS: Comments = Comments {
+    prose: harmless,
+    code: harmless,
+    heading: |heading| format!("{heading}:"),
+};
+
+/// Does not end a text, and escapes nothing.
+fn harmless(text: &str) -> String {
+    text.replace('\\', "\\\\").replace('"', "\\\"")
+}
+
+/// The usual signs, and roots by NumPy.
+#[derive(Clone, Copy, Debug)]
+pub struct Numpy;
+
+impl Notation for Numpy {
+    const WIDTH: usize = 72;
+
+    fn literal(&self, decimal: &Decimal) -> Text {
+        statements::plain_literal(decimal)
+    }
+
+    fn binary(&self, sign: Sign, left: &Text, right: &Text) -> Text {
+        statements::infix(sign, left, right)
+    }
+
+    fn negative(&self, operand: &Text) -> Text {
+        statements::prefix(operand)
+    }
+
+    fn square_root(&self, operand: &Text) -> Text {
+        Text::new(format!("np.sqrt({})", operand.text), Binding::Atom)
+    }
+}
+
+#[derive(Serialize)]
+struct Module {
+    title: String,
+    origin: Vec<String>,
+    function: String,
+    camel: String,
+    inputs: Vec<Field>,
+    outputs: Vec<Field>,
+    body: Vec<String>,
+    documentation: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Import {
+    function: String,
+    camel: String,
+}
+
+#[derive(Serialize)]
+struct Package {
+    commands: Vec<String>,
+    modules: Vec<Import>,
+}
+
+/// The files of a package, in no particular order.
+///
+/// # Errors
+///
+/// If a name is no identifier or occurs twice, or a constant is beyond the doubles.
+pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
+    let all = Named::all(evaluators, &RESERVED, &[])?;
+    let mut files = Vec::new();
+    let mut modules = Vec::new();
+    for (evaluator, named) in evaluators.iter().zip(&all) {
+        files.push(File {
+            path: format!("{}.py", named.function),
+            text: module(evaluator, named)?,
+        });
+        modules.push(Import {
+            function: named.function.clone(),
+            camel: camel_case(&named.function),
+        });
+    }
+    modules.sort_by(|a, b| a.function.cmp(&b.function));
+    let commands = commands(evaluators)
+        .iter()
+        .map(|command| harmless(command))
+        .collect();
+    files.push(File {
+        path: "__init__.py".to_owned(),
+        text: render(PACKAGE, &Package { commands, modules })?,
+    });
+    Ok(files)
+}
+
+fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {
+    let program = prune(&evaluator.program);
+    let names = &named.inputs.names;
+    let printed = statements::statements(&program, names, &named.values, &Numpy)?;
+    let camel = camel_case(&named.function);
+    let mut body: Vec<String> = Vec::new();
+    for name in super::used(evaluator, &program, names) {
+        body.push(format!(
+            "{name} = np.asarray(inputs.{name}, dtype=np.float64)"
+        ));
+    }
+    for statement in &printed.statements {
+        body.push(format!("{} = {}", statement.name, statement.text));
+    }
+    // An output that does not depend on all inputs has the shape of all of them nevertheless.
+    body.push("shape = np.broadcast_shapes(".to_owned());
+    body.extend(
+        names
+            .iter()
+            .map(|name| format!("    np.shape(inputs.{name}),")),
+    );
+    body.push(")".to_owned());
+    body.push(format!("return {camel}Outputs("));
+    for (name, text) in named.outputs.names.iter().zip(&printed.results) {
+        body.push(format!(
+            "    {name}=np.array(np.broadcast_to({text}, shape))[()],"
+        ));
+    }
+    body.push(")".to_owned());
+
+    let (mut inputs, mut outputs) = named.fields(evaluator, &COMMENTS);
+    for field in inputs.iter_mut().chain(&mut outputs) {
+        field.documentation = text(&field.documentation);
+    }
+    render(
+        MODULE,
+        &Module {
+            title: documentation::title(evaluator, &COMMENTS),
+            origin: documentation::origin(evaluator, &COMMENTS),
+            function: named.function.clone(),
+            camel,
+            inputs,
+            outputs,
+            body,
+            documentation: documentation::function(
+                evaluator,
+                names,
+                &named.outputs.names,
+                &COMMENTS,
+            ),
+        },
+    )
+}
+
+/// Lines as a text that documents the field above it.
+fn text(lines: &[String]) -> Vec<String> {
+    let last = lines.len().saturating_sub(1);
+    let line = |(place, line): (usize, &String)| {
+        let start = if place == 0 { "\"\"\"" } else { "" };
+        let end = if place == last { "\"\"\"" } else { "" };
+        format!("{start}{line}{end}")
+    };
+    lines.iter().enumerate().map(line).collect()
+}

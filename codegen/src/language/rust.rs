@@ -1,0 +1,248 @@
+//! Rust: a module for each evaluator, and a crate around them.
+
+use serde::Serialize;
+
+use super::documentation::{self, Comments};
+use super::literal::Decimal;
+use super::names::camel_case;
+use super::statements::{self, Binding, Fused, Notation, Sign, Text};
+use super::{Error, Field, File, Named, commands, render};
+use crate::evaluator::Evaluator;
+use crate::optimiser::prune::prune;
+
+const MODULE: &str = include_str!("../../templates/rust/module.rs.tera");
+const LIBRARY: &str = include_str!("../../templates/rust/lib.rs.tera");
+
+/// What every evaluator builds on.
+const SUPPORT: [(&str, &str); 4] = [
+    (
+        "arithmetic",
+        include_str!("../../templates/rust/arithmetic.rs"),
+    ),
+    ("bounded", include_str!("../../templates/rust/bounded.rs")),
+    ("dispatch", include_str!("../../templates/rust/dispatch.rs")),
+    ("lanes", include_str!("../../templates/rust/lanes.rs")),
+];
+
+/// Keywords of all editions, and what a name in a pattern would be taken for.
+const RESERVED: [&str; 59] = [
+    "Err", "None", "Ok", "Self", "Some", "abstract", "as", "async", "await", "become", "box",
+    "break", "const", "continue", "crate", "do", "dyn", "else", "enum", "extern", "false", "final",
+    "fn", "for", "gen", "if", "impl", "in", "inputs", "let", "loop", "macro", "match", "mod",
+    "move", "mut", "outputs", "override", "priv", "pub", "ref", "return", "self", "static",
+    "struct", "super", "trait", "true", "try", "type", "typeof", "union", "unsafe", "unsized",
+    "use", "virtual", "where", "while", "yield",
+];
+
+/// Names that a module must not have.
+const MODULES: [&str; 8] = [
+    "alloc",
+    "arithmetic",
+    "bounded",
+    "core",
+    "dispatch",
+    "lanes",
+    "lib",
+    "std",
+];
+
+const COMMENTS: Comments = Comments {
+    prose: markdown,
+    code: str::to_owned,
+    heading: |heading| format!("# {heading}"),
+};
+
+/// Nothing becomes a link, a tag or emphasis.
+fn markdown(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for letter in text.chars() {
+        if matches!(letter, '\\' | '[' | ']' | '<' | '>' | '*' | '`') {
+            escaped.push('\\');
+        }
+        escaped.push(letter);
+    }
+    escaped
+}
+
+/// Methods and operators of the trait `Arithmetic`.
+#[derive(Clone, Copy, Debug)]
+pub struct Generic;
+
+impl Generic {
+    /// A literal that stands to the right of an operator: a plain number.
+    fn right(text: &Text) -> Text {
+        match &text.decimal {
+            Some(decimal) => statements::plain_literal(decimal),
+            None => text.clone(),
+        }
+    }
+}
+
+impl Notation for Generic {
+    // What rustfmt leaves on one line.
+    const WIDTH: usize = 58;
+    const FUSES: bool = true;
+
+    fn literal(&self, decimal: &Decimal) -> Text {
+        Text {
+            text: format!("T::constant({})", decimal.text),
+            binding: Binding::Atom,
+            decimal: Some(decimal.clone()),
+        }
+    }
+
+    fn binary(&self, sign: Sign, left: &Text, right: &Text) -> Text {
+        let swaps = matches!(sign, Sign::Add | Sign::Multiply);
+        match (&left.decimal, &right.decimal) {
+            // Sums and products are the same in both orders, to the bit.
+            (Some(_), None) if swaps => statements::infix(sign, right, &Generic::right(left)),
+            _ => statements::infix(sign, left, &Generic::right(right)),
+        }
+    }
+
+    fn negative(&self, operand: &Text) -> Text {
+        match &operand.decimal {
+            Some(decimal) => self.literal(&decimal.negated()),
+            None => statements::prefix(operand),
+        }
+    }
+
+    fn square_root(&self, operand: &Text) -> Text {
+        let operand = operand.at_least(Binding::Atom);
+        Text::new(format!("{operand}.square_root()"), Binding::Atom)
+    }
+
+    fn fused(&self, fused: &Fused<'_>) -> Text {
+        let (left, right) = match (&fused.factors.0.decimal, &fused.factors.1.decimal) {
+            (Some(_), None) => (fused.factors.1, fused.factors.0),
+            _ => fused.factors,
+        };
+        let (left, right) = match (fused.negative_product, &right.decimal) {
+            (false, _) => (left.clone(), right.clone()),
+            (true, Some(_)) => (left.clone(), self.negative(right)),
+            (true, None) => (self.negative(left), right.clone()),
+        };
+        let addend = match fused.negative_addend {
+            true => self.negative(fused.addend),
+            false => fused.addend.clone(),
+        };
+        let receiver = left.at_least(Binding::Atom);
+        let text = format!("{receiver}.multiply_add({}, {})", right.text, addend.text);
+        Text::new(text, Binding::Atom)
+    }
+}
+
+#[derive(Serialize)]
+struct Module {
+    header: Vec<String>,
+    function: String,
+    camel: String,
+    inputs: Vec<Field>,
+    outputs: Vec<Field>,
+    body: Vec<String>,
+    documentation: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Library {
+    commands: Vec<String>,
+    list: Vec<String>,
+    support: Vec<&'static str>,
+    modules: Vec<String>,
+}
+
+/// The files of a crate, in no particular order.
+///
+/// # Errors
+///
+/// If a name is no identifier or occurs twice, or a constant is beyond the doubles.
+pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
+    let mut modules = Vec::new();
+    let mut list = Vec::new();
+    let mut files = Vec::new();
+    for (evaluator, named) in evaluators
+        .iter()
+        .zip(Named::all(evaluators, &RESERVED, &MODULES)?)
+    {
+        let function = &named.function;
+        files.push(File {
+            path: format!("{function}.rs"),
+            text: module(evaluator, &named)?,
+        });
+        let title = documentation::title(evaluator, &COMMENTS);
+        list.push(format!(" - [`{function}::{function}`]: {title}"));
+        modules.push(function.clone());
+    }
+    modules.sort();
+    list.sort();
+    if !list.is_empty() {
+        list.insert(0, String::new());
+    }
+    let library = Library {
+        commands: commands(evaluators),
+        list,
+        support: SUPPORT.iter().map(|(name, _)| *name).collect(),
+        modules,
+    };
+    files.push(File {
+        path: "lib.rs".to_owned(),
+        text: render(LIBRARY, &library)?,
+    });
+    files.extend(SUPPORT.iter().map(|(name, text)| File {
+        path: format!("{name}.rs"),
+        text: (*text).to_owned(),
+    }));
+    Ok(files)
+}
+
+fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {
+    let program = prune(&evaluator.program);
+    let names = &named.inputs.names;
+    let printed = statements::statements(&program, names, &named.values, &Generic)?;
+    let camel = camel_case(&named.function);
+    let mut body: Vec<String> = Vec::new();
+    for name in super::used(evaluator, &program, names) {
+        body.push(format!("let {name} = inputs.{name};"));
+    }
+    for statement in &printed.statements {
+        body.push(format!("let {} = {};", statement.name, statement.text));
+    }
+    let results: Vec<String> = named
+        .outputs
+        .names
+        .iter()
+        .zip(&printed.results)
+        .map(|(name, text)| match name == text {
+            true => name.clone(),
+            false => format!("{name}: {text}"),
+        })
+        .collect();
+    body.extend(structure(&format!("{camel}Outputs"), &results));
+
+    let (inputs, outputs) = named.fields(evaluator, &COMMENTS);
+    let documentation = documentation::function(evaluator, names, &named.outputs.names, &COMMENTS);
+    render(
+        MODULE,
+        &Module {
+            header: super::spaced(super::header(evaluator, &COMMENTS)),
+            function: named.function.clone(),
+            camel,
+            inputs,
+            outputs,
+            body,
+            documentation: super::spaced(documentation),
+        },
+    )
+}
+
+/// A structure as rustfmt writes it.
+fn structure(name: &str, fields: &[String]) -> Vec<String> {
+    let short = fields.join(", ");
+    if short.len() <= 18 {
+        return vec![format!("{name} {{ {short} }}")];
+    }
+    let mut lines = vec![format!("{name} {{")];
+    lines.extend(fields.iter().map(|field| format!("    {field},")));
+    lines.push("}".to_owned());
+    lines
+}

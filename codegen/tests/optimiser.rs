@@ -1,0 +1,367 @@
+//! What each pass does, and that none changes what a program computes.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proptest::prelude::*;
+use sextic_codegen::cost::Cost;
+use sextic_codegen::horner::{horner, power};
+use sextic_codegen::optimiser::fold::fold;
+use sextic_codegen::optimiser::hoist::hoist;
+use sextic_codegen::optimiser::optimise;
+use sextic_codegen::optimiser::prune::prune;
+use sextic_codegen::optimiser::reciprocal::reciprocals;
+use sextic_codegen::optimiser::share::share;
+use sextic_codegen::optimiser::specialise::specialise;
+use sextic_codegen::program::{Node, Operation, Program, Rational};
+use sextic_codegen::rounding::evaluate_exactly;
+
+use Operation::{Add, Divide, Multiply, Negative, SquareRoot, Subtract};
+
+use crate::samples::rational;
+
+fn program(build: impl Fn(&mut Program, Node, Node) -> Node) -> Program {
+    let mut program = Program::new(["x".to_owned(), "y".to_owned()]);
+    let (x, y) = (program.input("x").unwrap(), program.input("y").unwrap());
+    let value = build(&mut program, x, y);
+    program.output("z", value);
+    program
+}
+
+/// The operations that no input and no constant is, in order.
+fn signs(program: &Program) -> String {
+    let sign = |operation: &Operation| match operation {
+        Operation::Input(_) | Operation::Constant(_) => "",
+        Add(..) => "+",
+        Subtract(..) => "-",
+        Multiply(..) => "*",
+        Divide(..) => "/",
+        Negative(_) => "~",
+        SquareRoot(_) => "√",
+    };
+    prune(program).operations().iter().map(sign).collect()
+}
+
+#[test]
+fn folding_leaves_out_what_changes_nothing() {
+    type Build = fn(&mut Program, Node, Node) -> Node;
+    let table: [(&str, Build, &str); 14] = [
+        (
+            "x + 0",
+            |p, x, _| {
+                let c = p.constant(rational(0, 1));
+                p.push(Add(x, c))
+            },
+            "",
+        ),
+        (
+            "x - 0",
+            |p, x, _| {
+                let c = p.constant(rational(0, 1));
+                p.push(Subtract(x, c))
+            },
+            "",
+        ),
+        (
+            "0 - x",
+            |p, x, _| {
+                let c = p.constant(rational(0, 1));
+                p.push(Subtract(c, x))
+            },
+            "~",
+        ),
+        (
+            "x·1",
+            |p, x, _| {
+                let c = p.constant(rational(1, 1));
+                p.push(Multiply(x, c))
+            },
+            "",
+        ),
+        (
+            "x·(-1)",
+            |p, x, _| {
+                let c = p.constant(rational(-1, 1));
+                p.push(Multiply(x, c))
+            },
+            "~",
+        ),
+        (
+            "0·x",
+            |p, x, _| {
+                let c = p.constant(rational(0, 1));
+                p.push(Multiply(c, x))
+            },
+            "",
+        ),
+        (
+            "x/1",
+            |p, x, _| {
+                let c = p.constant(rational(1, 1));
+                p.push(Divide(x, c))
+            },
+            "",
+        ),
+        (
+            "x/4",
+            |p, x, _| {
+                let c = p.constant(rational(4, 1));
+                p.push(Divide(x, c))
+            },
+            "*",
+        ),
+        (
+            "x/3",
+            |p, x, _| {
+                let c = p.constant(rational(3, 1));
+                p.push(Divide(x, c))
+            },
+            "/",
+        ),
+        (
+            "0/x",
+            |p, x, _| {
+                let c = p.constant(rational(0, 1));
+                p.push(Divide(c, x))
+            },
+            "",
+        ),
+        (
+            "-(-x)",
+            |p, x, _| {
+                let n = p.push(Negative(x));
+                p.push(Negative(n))
+            },
+            "",
+        ),
+        (
+            "x + (-y)",
+            |p, x, y| {
+                let n = p.push(Negative(y));
+                p.push(Add(x, n))
+            },
+            "-",
+        ),
+        ("x - x", |p, x, _| p.push(Subtract(x, x)), ""),
+        (
+            "√1",
+            |p, _, _| {
+                let c = p.constant(rational(1, 1));
+                p.push(SquareRoot(c))
+            },
+            "",
+        ),
+    ];
+    for (name, build, expected) in table {
+        assert_eq!(signs(&fold(&program(build))), expected, "{name}");
+    }
+}
+
+#[test]
+fn a_division_by_zero_is_not_folded_away() {
+    let quotient = program(|p, x, _| {
+        let zero = p.constant(rational(0, 1));
+        p.push(Divide(x, zero))
+    });
+    assert_eq!(signs(&optimise(&quotient)), "/");
+}
+
+#[test]
+fn sharing_computes_once_whatever_the_order() {
+    let twice = program(|p, x, y| {
+        let (a, b) = (p.push(Multiply(x, y)), p.push(Multiply(y, x)));
+        p.push(Add(a, b))
+    });
+    assert_eq!(signs(&share(&twice)), "*+");
+    // A difference has an order.
+    let differs = program(|p, x, y| {
+        let (a, b) = (p.push(Subtract(x, y)), p.push(Subtract(y, x)));
+        p.push(Multiply(a, b))
+    });
+    assert_eq!(signs(&share(&differs)), "--*");
+}
+
+#[test]
+fn one_reciprocal_instead_of_several_divisions() {
+    let twice = program(|p, x, y| {
+        let square = p.push(Multiply(x, x));
+        let (a, b) = (p.push(Divide(x, y)), p.push(Divide(square, y)));
+        p.push(Add(a, b))
+    });
+    assert_eq!(Cost::of(&reciprocals(&twice)).divisions, 1);
+    let once = program(|p, x, y| p.push(Divide(x, y)));
+    assert_eq!(reciprocals(&once), once);
+}
+
+#[test]
+fn pruning_keeps_the_inputs() {
+    let mut unused = program(|p, x, y| p.push(Add(x, y)));
+    let (x, y) = (unused.input("x").unwrap(), unused.input("y").unwrap());
+    unused.push(Divide(x, y));
+    let pruned = prune(&unused);
+    assert_eq!(
+        (pruned.inputs(), pruned.operations().len()),
+        (unused.inputs(), 3)
+    );
+}
+
+#[test]
+fn hoisting_prepares_what_stays() {
+    let swept = program(|p, x, y| {
+        let square = p.push(Multiply(x, x));
+        let cube = p.push(Multiply(square, x));
+        p.push(Add(cube, y))
+    });
+    let hoisted = hoist(&swept, &BTreeSet::from(["y".to_owned()]));
+    assert_eq!(
+        (signs(&hoisted.preparation), signs(&hoisted.sweep)),
+        ("**".into(), "+".into())
+    );
+    assert_eq!(hoisted.sweep.inputs(), ["y", "h_1"]);
+}
+
+#[test]
+fn horner_and_powers_need_few_operations() {
+    let mut polynomial = Program::new(["x".to_owned()]);
+    let x = polynomial.input("x").unwrap();
+    let terms: Vec<_> = (0..=6)
+        .map(|exponent| {
+            let powers = (exponent > 0).then_some((x, exponent));
+            (
+                rational(i64::from(exponent) + 2, 1),
+                powers.into_iter().collect(),
+            )
+        })
+        .collect();
+    let value = horner(&mut polynomial, &terms);
+    polynomial.output("p", value);
+    let cost = Cost::of(&optimise(&polynomial));
+    assert_eq!((cost.additions, cost.multiplications), (6, 6));
+
+    let mut high = Program::new(["x".to_owned()]);
+    let x = high.input("x").unwrap();
+    let value = power(&mut high, x, 12);
+    high.output("p", value);
+    assert_eq!(Cost::of(&high).multiplications, 4);
+    assert_eq!(
+        evaluate_exactly(&high, &[rational(2, 3)]),
+        [Some(rational(4096, 531_441))]
+    );
+}
+
+/// A program of three inputs from numbers: each step takes earlier values.
+fn drawn() -> impl Strategy<Value = Program> {
+    let step = (
+        0..7_u8,
+        any::<prop::sample::Index>(),
+        any::<prop::sample::Index>(),
+        -3..4_i64,
+    );
+    prop::collection::vec(step, 1..25).prop_map(|steps| {
+        let mut program = Program::new(["x", "y", "z"].map(str::to_owned));
+        for (kind, first, second, number) in steps {
+            let nodes: Vec<Node> = program.nodes().map(|(node, _)| node).collect();
+            let (a, b) = (
+                nodes[first.index(nodes.len())],
+                nodes[second.index(nodes.len())],
+            );
+            program.push(match kind {
+                0 | 1 => Add(a, b),
+                2 => Subtract(a, b),
+                3 => Multiply(a, b),
+                4 => Divide(a, b),
+                5 => Negative(a),
+                _ => Operation::Constant(rational(number, 2)),
+            });
+        }
+        let last: Vec<Node> = program.nodes().map(|(node, _)| node).collect();
+        for (place, node) in last.iter().rev().take(3).enumerate() {
+            program.output(format!("o_{place}"), *node);
+        }
+        program
+    })
+}
+
+fn point() -> impl Strategy<Value = Vec<Rational>> {
+    let number = (-9..10_i64, 1..6_i64).prop_map(|(above, below)| rational(above, below));
+    prop::collection::vec(number, 3)
+}
+
+/// Where a program has a value, the other one has the same.
+fn agrees(before: &[Option<Rational>], after: &[Option<Rational>]) -> bool {
+    before.len() == after.len()
+        && before
+            .iter()
+            .zip(after)
+            .all(|(before, after)| before.is_none() || before == after)
+}
+
+proptest! {
+    #[test]
+    fn no_pass_changes_a_value(program in drawn(), point in point()) {
+        let before = evaluate_exactly(&program, &point);
+        let passes: [fn(&Program) -> Program; 5] = [fold, share, reciprocals, prune, optimise];
+        for (place, pass) in passes.into_iter().enumerate() {
+            let after = evaluate_exactly(&pass(&program), &point);
+            prop_assert!(agrees(&before, &after), "pass {place}: {before:?} {after:?}");
+        }
+    }
+
+    #[test]
+    fn optimising_never_costs_more(program in drawn()) {
+        let (before, after) = (Cost::of(&prune(&program)), Cost::of(&optimise(&program)));
+        prop_assert!(after.divisions <= before.divisions);
+        prop_assert_eq!(optimise(&optimise(&program)), optimise(&program));
+    }
+
+    #[test]
+    fn fixing_inputs_is_evaluation_in_part(program in drawn(), point in point()) {
+        let fixed = BTreeMap::from([("y".to_owned(), point[1].clone())]);
+        let special = specialise(&program, &fixed);
+        prop_assert_eq!(special.inputs(), ["x", "z"]);
+        let rest = [point[0].clone(), point[2].clone()];
+        let after = evaluate_exactly(&special, &rest);
+        prop_assert!(agrees(&evaluate_exactly(&program, &point), &after));
+    }
+
+    #[test]
+    fn the_two_parts_of_a_sweep_are_the_whole(program in drawn(), point in point()) {
+        let swept = BTreeSet::from(["y".to_owned()]);
+        let parts = hoist(&program, &swept);
+        let still = [point[0].clone(), point[2].clone()];
+        let prepared = evaluate_exactly(&parts.preparation, &still);
+        let before = evaluate_exactly(&program, &point);
+        // A prepared value may be missing where only an unused output needs it.
+        if let Some(prepared) = prepared.into_iter().collect::<Option<Vec<Rational>>>() {
+            let inputs: Vec<Rational> = std::iter::once(point[1].clone()).chain(prepared).collect();
+            prop_assert!(agrees(&before, &evaluate_exactly(&parts.sweep, &inputs)));
+        }
+    }
+
+    #[test]
+    fn horner_gives_the_sum_of_its_terms(
+        terms in prop::collection::vec((-4..5_i64, [0..4_u32, 0..4_u32, 0..4_u32]), 0..8),
+        point in point(),
+    ) {
+        let mut program = Program::new(["x", "y", "z"].map(str::to_owned));
+        let inputs = crate::samples::inputs(&program);
+        let listed: Vec<_> = terms
+            .iter()
+            .map(|(coefficient, exponents)| {
+                let powers = inputs.iter().copied().zip(*exponents);
+                let powers = powers.filter(|(_, exponent)| *exponent > 0).collect();
+                (rational(*coefficient, 1), powers)
+            })
+            .collect();
+        let value = horner(&mut program, &listed);
+        program.output("p", value);
+        let mut sum = Rational::ZERO;
+        for (coefficient, exponents) in &terms {
+            let mut term = rational(*coefficient, 1);
+            for (value, exponent) in point.iter().zip(exponents) {
+                term *= value.clone().pow(*exponent as isize);
+            }
+            sum += term;
+        }
+        prop_assert_eq!(evaluate_exactly(&program, &point), vec![Some(sum)]);
+    }
+}

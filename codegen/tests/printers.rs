@@ -1,0 +1,174 @@
+//! What is printed, locked.
+
+use std::path::Path;
+
+use insta::assert_snapshot;
+use sextic_codegen::evaluator::Evaluator;
+use sextic_codegen::language::{Error, Language, emit};
+use sextic_codegen::program::{Operation, Program, Rational};
+
+use crate::samples;
+
+fn text(language: Language, path: &str) -> String {
+    let files = emit(&samples::all(), language).unwrap();
+    let file = files.into_iter().find(|file| file.path == path);
+    file.expect("the file is emitted").text
+}
+
+fn locked(name: &str, text: String) {
+    insta::with_settings!({
+        snapshot_path => Path::new(env!("CARGO_MANIFEST_DIR")).join("../snapshots/codegen"),
+        prepend_module_to_snapshot => false,
+        omit_expression => true,
+    }, { assert_snapshot!(name, text) });
+}
+
+#[test]
+fn one_file_a_language() {
+    for (language, path) in [
+        (Language::Rust, "lib.rs"),
+        (Language::Rust, "match_.rs"),
+        (Language::Rust, "quadratic_form.rs"),
+        (Language::C, "match.c"),
+        (Language::C, "quadratic_form.h"),
+        (Language::Python, "match_.py"),
+        (Language::Python, "__init__.py"),
+    ] {
+        locked(&format!("{language}-{path}"), text(language, path));
+    }
+}
+
+#[test]
+fn the_same_evaluators_give_the_same_bytes_in_the_order_of_paths() {
+    for language in Language::ALL {
+        let files = emit(&samples::all(), language).unwrap();
+        assert_eq!(files, emit(&samples::all(), language).unwrap());
+        assert!(files.is_sorted_by(|a, b| a.path < b.path));
+        assert_eq!(language.name().parse(), Ok(language));
+    }
+    assert!("fortran".parse::<Language>().is_err());
+}
+
+#[test]
+fn nothing_that_a_document_says_leaves_its_comment() {
+    let mut evaluator = samples::determinant();
+    let nasty = "end */ \"\"\" \\ \n}\r\u{2028}mod x; /* ??/ `";
+    evaluator.title = nasty.into();
+    evaluator.description = nasty.into();
+    evaluator.source = nasty.into();
+    evaluator.equations = vec![nasty.into()];
+    evaluator.conditions = vec![nasty.into()];
+    evaluator.command = nasty.into();
+    evaluator.document = nasty.into();
+    evaluator.hash = nasty.into();
+    evaluator.proof = Some(nasty.into());
+    for quantity in evaluator.inputs.iter_mut().chain(&mut evaluator.outputs) {
+        quantity.unit = nasty.into();
+        quantity.symbol = nasty.into();
+        quantity.description = nasty.into();
+    }
+    let evaluators = [evaluator];
+    for file in emit(&evaluators, Language::Rust).unwrap() {
+        let outside = file
+            .text
+            .lines()
+            .filter(|line| !line.trim_start().starts_with("//"));
+        assert!(
+            outside.clone().all(|line| !line.contains("mod x;")),
+            "{}",
+            file.path
+        );
+    }
+    for file in emit(&evaluators, Language::C).unwrap() {
+        let mut rest = file.text.as_str();
+        while let Some((outside, inside)) = rest.split_once("/*") {
+            assert!(!outside.contains("mod x"), "{}", file.path);
+            let (comment, after) = inside.split_once("*/").expect("a comment ends");
+            assert!(!comment.contains("/*") && !comment.contains("??"));
+            rest = after;
+        }
+        assert!(!rest.contains("mod x"), "{}", file.path);
+    }
+    for file in emit(&evaluators, Language::Python).unwrap() {
+        let plain = file.text.replace("\\\\", "").replace("\\\"", "");
+        let outside = plain.split("\"\"\"").step_by(2);
+        assert!(
+            outside.clone().all(|text| !text.contains("mod x")),
+            "{}",
+            file.path
+        );
+    }
+}
+
+#[test]
+fn what_cannot_be_written_is_an_error() {
+    let program = |inputs: &[&str], outputs: &[&str]| {
+        let mut program = Program::new(inputs.iter().map(|name| (*name).to_owned()));
+        let one = program.constant(Rational::ONE);
+        for output in outputs {
+            program.output(*output, one);
+        }
+        Evaluator::plain("f", program)
+    };
+    let huge = {
+        let mut program = Program::new(["a".to_owned()]);
+        let value = program.constant(Rational::from(10).pow(400));
+        let value = program.push(Operation::Multiply(value, program.input("a").unwrap()));
+        program.output("b", value);
+        Evaluator::plain("f", program)
+    };
+    let mut other = program(&["a"], &["b"]);
+    other.inputs[0].name = "c".into();
+    let mut named = program(&["a"], &["b"]);
+    named.name = "../f".into();
+    for language in Language::ALL {
+        let error = |evaluators: &[Evaluator]| emit(evaluators, language).unwrap_err();
+        assert_eq!(error(&[program(&["ω"], &["b"])]), Error::Name("ω".into()));
+        assert_eq!(
+            error(&[program(&["a b"], &["b"])]),
+            Error::Name("a b".into())
+        );
+        assert_eq!(
+            error(&[program(&["a", "a"], &["b"])]),
+            Error::Twice("a".into())
+        );
+        assert_eq!(
+            error(&[program(&["a"], &["b", "b"])]),
+            Error::Twice("b".into())
+        );
+        assert_eq!(error(&[program(&[], &["b"])]), Error::Nothing("f".into()));
+        assert_eq!(error(&[program(&["a"], &[])]), Error::Nothing("f".into()));
+        assert_eq!(
+            error(std::slice::from_ref(&named)),
+            Error::Name("../f".into())
+        );
+        assert_eq!(
+            error(std::slice::from_ref(&other)),
+            Error::Quantities("f".into())
+        );
+        assert!(matches!(
+            error(std::slice::from_ref(&huge)),
+            Error::Constant(_)
+        ));
+        let twice = [program(&["a"], &["b"]), program(&["a"], &["b"])];
+        assert_eq!(error(&twice), Error::Twice("f".into()));
+    }
+}
+
+#[test]
+fn unsafe_names_are_renamed_and_say_so() {
+    for (language, path, names) in [
+        (Language::Rust, "match_.rs", ["t1_", "fn_"]),
+        (Language::C, "match.h", ["I_", "double_"]),
+        (Language::Python, "match_.py", ["lambda_", "t1_"]),
+    ] {
+        let text = text(language, path);
+        for name in names {
+            let before = name.trim_end_matches('_');
+            assert!(
+                text.contains(&format!("called `{before}` in the document")),
+                "{name}"
+            );
+        }
+    }
+}
