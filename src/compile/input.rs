@@ -5,8 +5,9 @@ use crate::algebra::generator::Generator;
 use crate::algebra::ring::Ring;
 use crate::algebra::symbol::Symbol;
 use crate::derivation::notation::Notation;
+use crate::derivation::presentation::Presenter;
 use crate::derivation::scope::{Meaning, Scope};
-use crate::derivation::syntax::{Expression, Name, Node};
+use crate::derivation::syntax::Name;
 use crate::derivation::unit::Unit;
 use crate::derivation::visit::primed;
 
@@ -43,27 +44,13 @@ impl Input {
             }
             Generator::Cosine { angle } => circular("cos", angle, ring, scope),
             Generator::Sine { angle } => circular("sin", angle, ring, scope),
-            Generator::FunctionValue {
-                name,
-                order,
-                argument,
-            } => {
+            Generator::FunctionValue { name, order, .. } => {
                 let entry = scope.get(&Name::new(name))?;
-                let Meaning::Function {
-                    argument: reference,
-                    unit,
-                    ..
-                } = &entry.meaning
-                else {
+                let Meaning::Function { unit, .. } = &entry.meaning else {
                     return None;
                 };
-                if reference.value != *argument {
-                    return None;
-                }
-                let shown = match order {
-                    0 => Expression::name(entry.name.clone()),
-                    order => Expression::made(Node::Derivative(entry.name.clone(), *order)),
-                };
+                // At another argument than its own it is shown with that.
+                let shown = Presenter { ring, scope }.symbol(symbol).ok()?;
                 Some(Input {
                     name: primed(&entry.name.ascii, *order),
                     shown: Notation::Unicode.expression(&shown),

@@ -3,4 +3,5 @@
 pub mod input;
 pub mod normal_form;
 pub mod polynomial;
+pub mod specification;
 pub mod translation;

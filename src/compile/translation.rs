@@ -34,8 +34,8 @@ pub enum Obstacle {
 pub struct Translated {
     /// The program, optimised.
     pub program: Program,
-    /// Its inputs.
-    pub inputs: Vec<Input>,
+    /// Its inputs, and the symbols of the ring that they are.
+    pub inputs: Vec<(Symbol, Input)>,
 }
 
 /// Translates an evaluator into a program.
@@ -57,18 +57,13 @@ pub fn translate(evaluator: &Evaluator, elaborator: &mut Elaborator) -> Result<T
             let program = sextic_codegen::optimiser::optimise(&program);
             return Ok(Translated {
                 program,
-                inputs: in_order(found, elaborator),
+                inputs: found.into_iter().collect(),
             });
         }
         inputs = found;
     }
+    // Unreachable but for a mistake of this program.
     Err("its inputs change from one translation to the next".into())
-}
-
-/// Inputs in the order in which the document declares them, cosines and sines behind the others.
-fn in_order(found: BTreeMap<Symbol, Input>, elaborator: &Elaborator) -> Vec<Input> {
-    let _ = elaborator;
-    found.into_values().collect()
 }
 
 /// Where an expression is read: a surrounding and a frame, by their numbers.
@@ -129,7 +124,8 @@ impl<'a> Translator<'a> {
                     };
                     format!("{}: {reason}", output.name.unicode)
                 })?;
-            let names = entry_names(&output.name.ascii, &table);
+            let shape = (table.len(), table.first().map_or(0, Vec::len));
+            let names = entry_names(&output.name.ascii, shape);
             for (name, entry) in names.into_iter().zip(table.iter().flatten()) {
                 let node = match entry.constant() {
                     Some(Some(node)) => node,
@@ -259,6 +255,13 @@ impl<'a> Translator<'a> {
                 "it contains i, a coordinate or the angle of a vector, which is no input".into(),
             ));
         };
+        let same = |(known, other): (&Symbol, &Input)| *known != symbol && other.name == input.name;
+        if self.found.iter().any(same) {
+            let name = &input.shown;
+            return Err(Obstacle::Refused(format!(
+                "{name} would be an input beside another of its name"
+            )));
+        }
         let node = self.program.input(&input.name);
         self.found.insert(symbol, input);
         // In the first translation the inputs are only collected.
@@ -410,8 +413,7 @@ fn scalar(entry: Polynomial) -> Table {
 }
 
 /// `C_a_12` for the entries of a matrix, `x_1` for those of a vector, the name itself for a number.
-fn entry_names(name: &str, table: &Table) -> Vec<String> {
-    let (rows, columns) = (table.len(), table.first().map_or(0, Vec::len));
+pub(super) fn entry_names(name: &str, (rows, columns): (usize, usize)) -> Vec<String> {
     let entry = |row: usize, column: usize| match (rows, columns) {
         (1, 1) => name.to_string(),
         (_, 1) => format!("{name}_{row}"),

@@ -213,7 +213,7 @@ impl Elaborator {
         Ok(names)
     }
 
-    pub(super) fn present_conditions(
+    pub(crate) fn present_conditions(
         &self,
         conditions: &Conditions,
         span: &Span,

@@ -181,7 +181,7 @@ impl Presenter<'_> {
     }
 
     /// One symbol.
-    pub(super) fn symbol(&self, symbol: Symbol) -> Result<Expression, AlgebraError> {
+    pub(crate) fn symbol(&self, symbol: Symbol) -> Result<Expression, AlgebraError> {
         let call =
             |function: &str, argument| Expression::call(Name::new(function), 0, vec![argument]);
         Ok(match self.ring.generator(symbol) {
