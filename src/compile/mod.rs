@@ -3,5 +3,7 @@
 pub mod input;
 pub mod normal_form;
 pub mod polynomial;
+pub mod proof;
+pub mod reading;
 pub mod specification;
 pub mod translation;
