@@ -9,4 +9,3 @@ pub mod arithmetic;
 pub mod bounded;
 pub mod dispatch;
 pub mod lanes;
-
