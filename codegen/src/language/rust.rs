@@ -170,7 +170,9 @@ pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
             text: module(evaluator, &named)?,
         });
         let title = documentation::title(evaluator, &COMMENTS);
-        list.push(format!(" - [`{function}::{function}`]: {title}"));
+        // A link before the colon would be taken for the definition of a link.
+        let title = title.trim_end_matches('.');
+        list.push(format!(" - {title}: [`{function}::{function}`]"));
         modules.push(function.clone());
     }
     modules.sort();
