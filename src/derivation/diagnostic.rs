@@ -33,6 +33,8 @@ pub enum DiagnosticKind {
     Disagreement,
     /// A fenced block is not closed.
     UnbalancedFence,
+    /// A document has nothing to execute.
+    NoBlock,
     /// A file is not UTF-8.
     NotUtf8,
     /// A file cannot be read.
@@ -62,6 +64,7 @@ impl DiagnosticKind {
             Self::Inconsistent => "inconsistent",
             Self::Disagreement => "disagreement",
             Self::UnbalancedFence => "unbalanced-fence",
+            Self::NoBlock => "no-block",
             Self::NotUtf8 => "not-utf-8",
             Self::MissingFile => "missing-file",
             Self::CircularImport => "circular-import",
