@@ -11,7 +11,7 @@ use crate::derivation::verdict::{Claim, Verdict};
 use super::details::{Extent, details};
 use super::phrase::Phrase;
 use super::summary::Summary;
-use super::words;
+use super::{residuals, words};
 use escape::escape;
 
 const PREAMBLE: &str = r"\documentclass{article}
@@ -66,6 +66,7 @@ fn audit(audit: &Audit) -> String {
         let rows: String = rows.collect();
         page += &format!("\n\\begin{{longtable}}{{lr}}\n{rows}\\end{{longtable}}\n");
     }
+    page += &matchings_overview(summary.matchings);
     for (heading, claims) in summary.failures() {
         let items = claims.iter().map(|claim| {
             format!(
@@ -85,6 +86,20 @@ fn audit(audit: &Audit) -> String {
         page += &self::claim(claim);
     }
     page
+}
+
+/// A line for each matching; nothing where there is none.
+fn matchings_overview(matchings: &[Matched]) -> String {
+    let items = matchings.iter().map(|matched| {
+        let label = escape(&words::label(&matched.label));
+        let overview = phrase(&residuals::overview(matched, Notation::Latex));
+        format!("\\item {label} {overview}\n")
+    });
+    let items: String = items.collect();
+    if items.is_empty() {
+        return items;
+    }
+    format!("\n\\subsection*{{Matchings}}\n\\begin{{itemize}}\n{items}\\end{{itemize}}\n")
 }
 
 fn claim(claim: &Claim) -> String {

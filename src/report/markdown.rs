@@ -11,7 +11,7 @@ use crate::derivation::verdict::Claim;
 use super::details::{Detail, Extent, details};
 use super::phrase::Phrase;
 use super::summary::Summary;
-use super::words;
+use super::{residuals, words};
 
 /// Characters that mean something to Markdown within a line.
 const SPECIAL: &str = r"\`*_[]<>|$#~&";
@@ -27,6 +27,14 @@ pub fn audit(audit: &Audit) -> String {
     }
     for (verdict, count) in &summary.counts {
         page += &row(&[words::verdict(*verdict), count.to_string()]);
+    }
+    if !summary.matchings.is_empty() {
+        page += "\n## Matchings\n\n";
+    }
+    for matched in summary.matchings {
+        let label = escape(&words::label(&matched.label));
+        let overview = phrase(&residuals::overview(matched, Notation::Latex));
+        page += &format!("- **{label}** {overview}\n");
     }
     for (heading, claims) in summary.failures() {
         page += &format!("\n## {heading}\n\n");
