@@ -231,7 +231,7 @@ impl Cursor<'_> {
             )
             .with_label("expected `> 0`, `>= 0` or `!= 0`")
             .with_help(
-                "write other assumptions as `assume L_g < r`, with a unit that fits; 0 fits every unit",
+                "write other assumptions as `assume a < b`, with a unit that fits; 0 fits every unit",
             )),
         }
     }

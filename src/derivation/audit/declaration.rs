@@ -5,6 +5,7 @@ use crate::algebra::generator::Generator;
 use crate::algebra::sign::Signs;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::error::{algebra, quantity};
+use crate::derivation::notation::Notation;
 use crate::derivation::quantity::common_unit;
 use crate::derivation::scope::{Meaning, SymbolKind};
 use crate::derivation::syntax::{
@@ -195,7 +196,12 @@ impl Reader<'_> {
                     .with_help("multiply it by its denominator, whose sign must be known"),
             );
         }
-        let (above, signs) = (difference.numerator().clone(), signs);
+        let above = difference.numerator().clone();
+        let known = ring.polynomial_signs(&above);
+        let known = known.map_err(|error| algebra(error, span))?;
+        if known.intersection(signs) == Signs::NONE {
+            return Err(contradiction(relation, known, span));
+        }
         if signs.negative {
             ring.assumptions_mut()
                 .assume_polynomial(-&above, signs.opposite());
@@ -250,4 +256,13 @@ impl Reader<'_> {
         }
         Ok(())
     }
+}
+
+/// An assumption that cannot be true beside what is declared and assumed above it.
+fn contradiction(relation: &Relation, known: Signs, span: &Span) -> Diagnostic {
+    let [left, right] = [&relation.left, &relation.right].map(|e| Notation::Unicode.expression(e));
+    let message = "this assumption contradicts what is declared or assumed above it";
+    Diagnostic::new(DiagnosticKind::Inconsistent, span.clone(), message)
+        .with_label(format!("{right} − ({left}) is {known} by what is above"))
+        .with_help("from a contradiction everything follows: correct one of the two")
 }
