@@ -9,6 +9,7 @@ use super::elaboration::Elaborator;
 use super::explanation::Explanation;
 use super::judge::Judge;
 use super::matching::Matched;
+use super::syntax::Name;
 use super::verdict::Claim;
 
 use reader::Reader;
@@ -44,6 +45,12 @@ impl Audit {
     /// Whether every verdict is the one that the author expects.
     pub fn as_expected(&self) -> bool {
         self.claims.iter().all(Claim::as_expected)
+    }
+
+    /// The names that the document and its imports declare.
+    pub fn names(&self) -> impl Iterator<Item = &Name> {
+        let entries = self.elaborator.scope.entries();
+        entries.map(|entry| &entry.name)
     }
 
     /// How the verdict on one of its claims was reached.

@@ -1,6 +1,7 @@
 //! Verdicts and matchings for programs.
 //!
-//! Expressions are text in ASCII names with `**` for powers, which SymPy reads; nothing is shortened.
+//! Expressions are text in ASCII names with `**` for powers; nothing is shortened. What was computed is
+//! read by SymPy; what the document says is in the block language.
 
 mod audit;
 mod matching;

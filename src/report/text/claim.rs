@@ -25,7 +25,7 @@ pub fn write(page: &mut Page, path: &str, claim: &Claim) {
         let place = Run::words(format!(" {path}:{}", claim.line), FAINT);
         page.prose(&[spaces(INDENT)], &[Run::words(surprise, ALARM), place]);
     }
-    let statement = Notation::Unicode.relation(&claim.statement);
+    let statement = words::statement(claim, Notation::Unicode);
     let mut is_shortened = page.expression(
         &[spaces(INDENT)],
         CONTINUATION,
