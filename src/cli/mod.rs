@@ -30,7 +30,7 @@ impl From<Outcome> for ExitCode {
     }
 }
 
-/// Derives, audits and compiles closed-form stability criteria, exactly.
+/// Derives and audits closed-form stability criteria, exactly.
 ///
 /// A derivation is a Markdown document whose equations, in blocks fenced as `sextic`, are checked by
 /// exact algebra. Documents come with the command; a path names one of your own.
