@@ -5,7 +5,6 @@ use crate::algebra::generator::Generator;
 use crate::algebra::sign::Signs;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::error::{algebra, quantity};
-use crate::derivation::notation::Notation;
 use crate::derivation::quantity::common_unit;
 use crate::derivation::scope::{Meaning, SymbolKind};
 use crate::derivation::syntax::{
@@ -200,7 +199,7 @@ impl Reader<'_> {
         let known = ring.polynomial_signs(&above);
         let known = known.map_err(|error| algebra(error, span))?;
         if known.intersection(signs) == Signs::NONE {
-            return Err(contradiction(relation, known, span));
+            return Err(contradiction(known, span));
         }
         if signs.negative {
             ring.assumptions_mut()
@@ -259,10 +258,11 @@ impl Reader<'_> {
 }
 
 /// An assumption that cannot be true beside what is declared and assumed above it.
-fn contradiction(relation: &Relation, known: Signs, span: &Span) -> Diagnostic {
-    let [left, right] = [&relation.left, &relation.right].map(|e| Notation::Unicode.expression(e));
+fn contradiction(known: Signs, span: &Span) -> Diagnostic {
     let message = "this assumption contradicts what is declared or assumed above it";
     Diagnostic::new(DiagnosticKind::Inconsistent, span.clone(), message)
-        .with_label(format!("{right} − ({left}) is {known} by what is above"))
+        .with_label(format!(
+            "the right side less the left is {known} by what is above"
+        ))
         .with_help("from a contradiction everything follows: correct one of the two")
 }
