@@ -125,7 +125,7 @@ mod tests {
     #[test]
     fn what_is_short_stays() {
         let text = "αβ\r\n\nc";
-        let excerpt = Excerpt::new(text, &[0..2]);
+        let excerpt = Excerpt::new(text, &[0..2, 2..4]);
         assert_eq!(excerpt.text, text);
         assert_eq!(excerpt.mark(&(2..4)), 2..4);
         assert_eq!(shortened(text), text);
