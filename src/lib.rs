@@ -1,4 +1,4 @@
-//! Derives, audits and compiles closed-form stability criteria, exactly.
+//! Derives and audits closed-form stability criteria, exactly.
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 

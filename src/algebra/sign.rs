@@ -34,6 +34,12 @@ impl Signs {
         zero: true,
         positive: true,
     };
+    /// There is no such number.
+    pub const NONE: Signs = Signs {
+        negative: false,
+        zero: false,
+        positive: false,
+    };
     /// > 0
     pub const POSITIVE: Signs = Signs {
         negative: false,

@@ -3,8 +3,9 @@
 use clap::Args;
 
 use crate::derivation::audit::Audit;
+use crate::derivation::matching::Matched;
 use crate::derivation::verdict::Claim;
-use crate::report::{json, latex, markdown, text};
+use crate::report::{json, latex, markdown, text, words};
 
 use super::Outcome;
 use super::output::{Format, finish, width, wrong};
@@ -17,7 +18,7 @@ const LEAST_LIKENESS: f64 = 0.6;
 
 /// Gives a verdict on every assertion of a document
 ///
-/// Every `claim`, `refute`, `approximate` and `ill-formed` of a document is decided twice: by comparing
+/// Every `claim`, `eigenpair`, `refute`, `approximate` and `ill-formed` of a document is decided twice: by comparing
 /// normal forms, and by exact evaluation at random points. A verdict names the conditions that its
 /// steps needed, what an approximation leaves out, or a point at which the two sides differ.
 #[derive(Args, Debug)]
@@ -36,8 +37,8 @@ pub struct Arguments {
     explain: Option<String>,
 
     /// How many columns text may fill (at least 40); as many as the terminal has if not given
-    #[arg(long, value_name = "COLUMNS")]
-    width: Option<usize>,
+    #[arg(long, value_name = "COLUMNS", value_parser = clap::value_parser!(u16).range(40..))]
+    width: Option<u16>,
 }
 
 const EXAMPLES: &str = "\
@@ -79,7 +80,15 @@ fn explain(wanted: &str, audits: &[Audit], outcome: Outcome, arguments: &Argumen
         if audits.is_empty() {
             return outcome;
         }
+        if let Some(matched) = matchings(audits).find(|matched| matched.label.id == id) {
+            let label = words::label(&matched.label);
+            return wrong(
+                &format!("{label} is a matching, not an assertion"),
+                "`sextic match` shows it",
+            );
+        }
         let known = claims().map(|(_, claim)| claim.label.id.as_str());
+        let known = known.chain(matchings(audits).map(|matched| matched.label.id.as_str()));
         return unknown(wanted, &nearest_identifiers(&id, known));
     }
     let width = width(arguments.width);
@@ -105,6 +114,10 @@ fn explain(wanted: &str, audits: &[Audit], outcome: Outcome, arguments: &Argumen
         }
     };
     finish(&written, outcome)
+}
+
+fn matchings(audits: &[Audit]) -> impl Iterator<Item = &Matched> {
+    audits.iter().flat_map(|audit| &audit.matchings)
 }
 
 /// The identifier that is meant by an identifier or by a label, with its brackets or without.

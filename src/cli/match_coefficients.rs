@@ -27,8 +27,8 @@ pub struct Arguments {
     format: Format,
 
     /// How many columns text may fill (at least 40); as many as the terminal has if not given
-    #[arg(long, value_name = "COLUMNS")]
-    width: Option<usize>,
+    #[arg(long, value_name = "COLUMNS", value_parser = clap::value_parser!(u16).range(40..))]
+    width: Option<u16>,
 }
 
 const EXAMPLES: &str = "\

@@ -30,7 +30,7 @@ impl From<Outcome> for ExitCode {
     }
 }
 
-/// Derives, audits and compiles closed-form stability criteria, exactly.
+/// Derives and audits closed-form stability criteria, exactly.
 ///
 /// A derivation is a Markdown document whose equations, in blocks fenced as `sextic`, are checked by
 /// exact algebra. Documents come with the command; a path names one of your own.
@@ -49,9 +49,9 @@ enum Command {
 
 const EXIT_STATUS: &str = "\
 Exit status:
-  0  all is as the document expects
+  0  all is as the document expects, also where it asserts nothing, which is said
   1  a verdict differs, or a check fails
-  2  the input is wrong
+  2  the input is wrong, or has no `sextic` block
 
 Results go to standard output, diagnostics to standard error. NO_COLOR is honoured.";
 

@@ -18,7 +18,8 @@ const USUAL_WIDTH: usize = 100;
 pub enum Format {
     /// For a terminal
     Text,
-    /// For programs; expressions as SymPy reads them
+    /// For programs; SymPy reads residuals, solutions, determinants, tables, points and the left sides
+    /// of conditions, while statements and definitions are in the block language in ASCII names
     Json,
     /// For a code host or a notebook
     Markdown,
@@ -86,7 +87,7 @@ pub fn reject(rejected: &Rejected) -> Outcome {
 }
 
 /// How many columns to fill: those asked for, or those of the terminal.
-pub fn width(asked: Option<usize>) -> usize {
+pub fn width(asked: Option<u16>) -> usize {
     let terminal = || {
         let stream = io::stdout();
         let is_terminal = stream.is_terminal();
@@ -95,5 +96,6 @@ pub fn width(asked: Option<usize>) -> usize {
             .flatten();
         size.map(|(terminal_size::Width(columns), _)| usize::from(columns))
     };
+    let asked = asked.map(usize::from);
     asked.or_else(terminal).unwrap_or(USUAL_WIDTH)
 }

@@ -10,6 +10,7 @@ use super::evaluator::Evaluator;
 use super::explanation::Explanation;
 use super::judge::Judge;
 use super::matching::Matched;
+use super::syntax::Name;
 use super::verdict::Claim;
 
 use reader::Reader;
@@ -48,6 +49,12 @@ impl Audit {
     /// Whether every verdict is the one that the author expects.
     pub fn as_expected(&self) -> bool {
         self.claims.iter().all(Claim::as_expected)
+    }
+
+    /// The names that the document and its imports declare.
+    pub fn names(&self) -> impl Iterator<Item = &Name> {
+        let entries = self.elaborator.scope.entries();
+        entries.map(|entry| &entry.name)
     }
 
     /// How the verdict on one of its claims was reached.

@@ -3,8 +3,9 @@
 mod unexpected;
 
 use super::diagnostic::Diagnostic;
-use super::lexer::{Token, TokenKind};
+use super::lexer::{LinePosition, Token, TokenKind};
 use super::name::{Aliases, DottedName};
+use super::statement_parser::is_keyword;
 use super::syntax::{Name, Span, Spanned};
 
 /// What a parser returns: the thing, or why there is none.
@@ -96,6 +97,13 @@ impl<'document> Cursor<'document> {
         self.previous().map_or(0, |token| token.span.end)
     }
 
+    /// Whether a line begins here that was meant as a statement of its own, but is indented.
+    pub(crate) fn is_at_indented_statement(&self) -> bool {
+        let token = self.tokens.get(self.position);
+        let is_indented = token.is_some_and(|token| token.position == LinePosition::Indented);
+        is_indented && (is_keyword(self.peek_text()) || self.peek_at(1) == Some(TokenKind::Define))
+    }
+
     /// Steps over the next token.
     pub(crate) fn advance(&mut self) {
         self.position += 1;
@@ -150,13 +158,16 @@ impl<'document> Cursor<'document> {
                 TokenKind::CloseSquare => "`]`",
                 _ => "`|`",
             };
-            let error = self.expected_after_operand(what);
+            let error = self
+                .expected_after_operand(what)
+                .or_help(format!("close the bracket with {what} before this"));
             return Err(error.with_secondary(open.clone(), "the bracket is opened here"));
         }
         let bracket = self.text_of(open);
         Err(
             Diagnostic::syntax(open.clone(), format!("`{bracket}` is never closed"))
                 .with_label("opened here")
+                .with_help("close it where it ends, or take it away")
                 .with_secondary(self.here(), "the statement ends here"),
         )
     }

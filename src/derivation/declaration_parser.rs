@@ -91,7 +91,7 @@ impl Cursor<'_> {
     /// `substitution rest: dt(x) = 0, dt(y) = 0`
     pub(crate) fn substitution(&mut self) -> Parsed<StatementKind> {
         let name = self.name("the name of the substitution")?;
-        self.expect(TokenKind::Colon, "`:`")?;
+        self.expect_colon("write `:` behind the name: `substitution rest: x = 0`")?;
         Ok(StatementKind::Substitution {
             name,
             replacements: self.replacements()?,
@@ -193,7 +193,7 @@ impl Cursor<'_> {
             return Err(self.expected("`:` and a unit").with_help(help));
         }
         let start = self.here().start;
-        while self.peek().is_some_and(|kind| !ends_unit(kind)) {
+        while self.peek().is_some_and(|kind| !ends_unit(kind)) && !self.is_at_indented_statement() {
             self.advance();
         }
         let span = self.since(start);
@@ -231,7 +231,7 @@ impl Cursor<'_> {
             )
             .with_label("expected `> 0`, `>= 0` or `!= 0`")
             .with_help(
-                "write other assumptions as `assume L_g < r`, with a unit that fits; 0 fits every unit",
+                "write other assumptions as `assume a < b`, with a unit that fits; 0 fits every unit",
             )),
         }
     }

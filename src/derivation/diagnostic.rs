@@ -1,8 +1,11 @@
 //! What went wrong, where, and what to do.
 
+mod excerpt;
+
 use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
 
 use super::syntax::Span;
+use excerpt::{Excerpt, shortened};
 
 /// The sort of a mistake; each has a code that does not change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -33,6 +36,8 @@ pub enum DiagnosticKind {
     Disagreement,
     /// A fenced block is not closed.
     UnbalancedFence,
+    /// A document has nothing to execute.
+    NoBlock,
     /// A file is not UTF-8.
     NotUtf8,
     /// A file cannot be read.
@@ -62,6 +67,7 @@ impl DiagnosticKind {
             Self::Inconsistent => "inconsistent",
             Self::Disagreement => "disagreement",
             Self::UnbalancedFence => "unbalanced-fence",
+            Self::NoBlock => "no-block",
             Self::NotUtf8 => "not-utf-8",
             Self::MissingFile => "missing-file",
             Self::CircularImport => "circular-import",
@@ -117,6 +123,13 @@ impl Diagnostic {
     #[must_use]
     pub fn with_help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
+        self
+    }
+
+    /// Adds what to do where nothing better is known.
+    #[must_use]
+    pub fn or_help(mut self, help: impl Into<String>) -> Self {
+        self.help.get_or_insert_with(|| help.into());
         self
     }
 
@@ -191,11 +204,20 @@ impl SourceFile {
 /// Writes a diagnostic for a terminal: file, line and column (in characters), the marked place, the help.
 pub fn render(diagnostic: &Diagnostic, source: &SourceFile, colour: bool) -> String {
     let path = source.path.as_str();
-    let place = |span: &Span| (path, source.clamp(span));
+    let others = diagnostic.secondary.iter().map(|(span, _)| span);
+    let spans: Vec<Span> = [&diagnostic.span]
+        .into_iter()
+        .chain(others)
+        .map(|span| source.clamp(span))
+        .collect();
+    let excerpt = Excerpt::new(&source.text, &spans);
+    let place = |span: &Span| (path, excerpt.mark(&source.clamp(span)));
     let mark = |span, text: &str, paint| {
         // Without words no mark is drawn.
         let text = if text.is_empty() { "here" } else { text };
-        Label::new(place(span)).with_color(paint).with_message(text)
+        Label::new(place(span))
+            .with_color(paint)
+            .with_message(shortened(text))
     };
     let others = diagnostic.secondary.iter();
     let mut marks = vec![(&diagnostic.span, diagnostic.label.as_str(), Color::Red)];
@@ -212,22 +234,39 @@ pub fn render(diagnostic: &Diagnostic, source: &SourceFile, colour: bool) -> Str
                 .with_index_type(IndexType::Byte),
         )
         .with_code(diagnostic.kind.code())
-        .with_message(&diagnostic.message)
+        .with_message(shortened(&diagnostic.message))
         .with_labels(labels);
     if let Some(help) = &diagnostic.help {
-        report.set_help(help);
+        report.set_help(shortened(help));
     }
     let mut rendered = Vec::new();
-    let cache = (path, Source::from(source.text.as_str()));
+    let cache = (path, Source::from(excerpt.text.as_str()));
     // Writing to a vector fails only if the text of a label does, and it never does.
     if report.finish().write(cache, &mut rendered).is_err() {
         return format!("{path}: {}\n", diagnostic.message);
     }
     let rendered = String::from_utf8_lossy(&rendered);
+    let shown = position(&excerpt.text, place(&diagnostic.span).1.start);
+    let meant = position(&source.text, spans[0].start);
+    let (shown, meant) = (format!("{path}:{shown}"), format!("{path}:{meant}"));
     rendered
+        .replacen(&shown, &meant, 1)
         .lines()
         .flat_map(|line| [line.trim_end(), "\n"])
         .collect()
+}
+
+/// `5:12`: the line and the column of a place, in characters.
+fn position(text: &str, place: usize) -> String {
+    let before = &text[..place];
+    let line = before.matches('\n').count() + 1;
+    let column = before
+        .chars()
+        .rev()
+        .take_while(|letter| *letter != '\n')
+        .count()
+        + 1;
+    format!("{line}:{column}")
 }
 
 /// The candidate that a misspelt name most probably means, if one is near enough.

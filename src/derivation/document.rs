@@ -30,7 +30,8 @@ pub struct Document {
 ///
 /// # Errors
 ///
-/// All mistakes against the grammar, in the order of their places; at most a hundred.
+/// All mistakes against the grammar, in the order of their places, at most a hundred; or that there is
+/// no statement at all.
 pub fn parse_document(source: &SourceFile) -> Result<Document, Vec<Diagnostic>> {
     parse_document_with(source, &Aliases::default())
 }
@@ -66,6 +67,9 @@ pub fn parse_document_with(
         }
     }
     errors.extend(duplicate_labels(&statements));
+    if errors.is_empty() && statements.is_empty() {
+        errors.push(found.nothing_found());
+    }
     if errors.is_empty() {
         return Ok(Document {
             title: found.title,

@@ -170,7 +170,9 @@ impl Cursor<'_> {
     fn place(&mut self) -> Parsed<(Place, usize)> {
         let Some(open) = self.accept(TokenKind::OpenRound) else {
             let what = "the name of a substitution, or `(x = …)`";
-            return Ok((Place::Named(self.name(what)?), 0));
+            let help = "write the replacements in brackets, `at (x = 0)`, or name a `substitution`";
+            let name = self.name(what).map_err(|error| error.or_help(help));
+            return Ok((Place::Named(name?), 0));
         };
         let (replacements, height) = self.measured_replacements()?;
         self.expect_closing(TokenKind::CloseRound, &open)?;

@@ -36,7 +36,8 @@ impl Cursor<'_> {
         if label.id.is_empty() {
             return Err(
                 Diagnostic::syntax(label.span, "a label needs a letter or a digit")
-                    .with_label("nothing to call this by"),
+                    .with_label("nothing to call this by")
+                    .with_help("name it: `(8)` or `[energy]`"),
             );
         }
         Ok(label)

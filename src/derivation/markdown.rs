@@ -2,7 +2,7 @@
 
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
-use super::diagnostic::{Diagnostic, DiagnosticKind};
+use super::diagnostic::{Diagnostic, DiagnosticKind, nearest};
 use super::syntax::Span;
 
 /// The first word behind the fence of a block in this language.
@@ -15,6 +15,30 @@ pub struct Blocks {
     pub title: Option<String>,
     /// The lines between the fences of each block.
     pub blocks: Vec<Span>,
+    /// The first fence of a block in no language.
+    nameless: Option<Span>,
+}
+
+impl Blocks {
+    /// What is wrong with a document that has nothing to execute.
+    pub fn nothing_found(&self) -> Diagnostic {
+        let help = format!(
+            "begin a block at the left margin with a line that is ```{LANGUAGE}, and end it with ```"
+        );
+        let message = format!("no block fenced as `{LANGUAGE}` was found");
+        let error = match (&self.nameless, self.blocks.first()) {
+            (_, Some(block)) => {
+                let message = format!("the blocks fenced as `{LANGUAGE}` hold no statement");
+                Diagnostic::new(DiagnosticKind::NoBlock, block.start..block.start, message)
+                    .with_label("nothing but comments from here on")
+            }
+            (Some(fence), None) => Diagnostic::new(DiagnosticKind::NoBlock, fence.clone(), message)
+                .with_label("this fence names no language"),
+            (None, None) => Diagnostic::new(DiagnosticKind::NoBlock, 0..0, message)
+                .with_label("not here, nor below"),
+        };
+        error.with_help(help)
+    }
 }
 
 /// Finds the blocks as a Markdown reader does, and the fences that do not pair up.
@@ -36,8 +60,11 @@ pub fn blocks(text: &str) -> (Blocks, Vec<Diagnostic>) {
             Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(information))) => {
                 let language = information.split_whitespace().next().unwrap_or_default();
                 let is_ours = language == LANGUAGE;
-                if !is_ours && language.eq_ignore_ascii_case(LANGUAGE) {
+                if !is_ours && is_nearly_ours(language) {
                     errors.push(misspelt(text, &span, language));
+                }
+                if language.is_empty() && found.nameless.is_none() {
+                    found.nameless = Some(opening(text, &span));
                 }
                 match lines_of(text, &span, is_ours) {
                     Ok(lines) if is_ours => found.blocks.push(lines),
@@ -51,21 +78,33 @@ pub fn blocks(text: &str) -> (Blocks, Vec<Diagnostic>) {
     (found, errors)
 }
 
-/// A block whose language is written in capital letters would be passed over.
+/// Whether a language is `Sextic`, `sextix` or `{.sextic}`, which would be passed over.
+fn is_nearly_ours(language: &str) -> bool {
+    let mut words = language.split(|letter: char| !letter.is_alphanumeric());
+    let word = words.find(|word| !word.is_empty()).unwrap_or_default();
+    nearest(word, [LANGUAGE]).is_some()
+}
+
+/// A block that would be passed over, since its language is not spelled as it must be.
 fn misspelt(text: &str, block: &Span, language: &str) -> Diagnostic {
-    let line = text[block.clone()].lines().next().unwrap_or_default();
     let message = format!("a block of `{language}` is not read");
-    Diagnostic::syntax(block.start..block.start + line.len(), message)
-        .with_label("not spelled in lower-case letters")
+    Diagnostic::syntax(opening(text, block), message)
+        .with_label(format!("not spelled as `{LANGUAGE}`"))
         .with_help(format!(
-            "begin the block with `{LANGUAGE}` behind its fence"
+            "begin the block with `{LANGUAGE}` behind its fence, and with nothing else"
         ))
+}
+
+/// The line that opens a block.
+fn opening(text: &str, block: &Span) -> Span {
+    let line = text[block.clone()].lines().next().unwrap_or_default();
+    block.start..block.start + line.len()
 }
 
 /// The lines between the fences of a block.
 fn lines_of(text: &str, block: &Span, is_ours: bool) -> Result<Span, Diagnostic> {
-    let opening_line = text[block.clone()].lines().next().unwrap_or_default();
-    let opening = block.start..block.start + opening_line.len();
+    let opening = opening(text, block);
+    let opening_line = &text[opening.clone()];
     let fence = fence_of(opening_line);
     let first = (opening.end + 1).min(block.end);
     let rest = text[first..block.end].trim_end_matches(['\n', '\r']);

@@ -38,6 +38,17 @@ impl Notation {
         format!("{left} {} {right}", self.comparison(relation.comparison))
     }
 
+    /// Writes an equation that is meant to hold up to an order only.
+    pub fn approximation(self, relation: &Relation) -> String {
+        let sign = match (self, relation.comparison) {
+            (Self::Unicode, Comparison::Equal) => "≈",
+            (Self::Latex, Comparison::Equal) => r"\approx",
+            (_, comparison) => self.comparison(comparison),
+        };
+        let left = self.expression(&relation.left);
+        format!("{left} {sign} {}", self.expression(&relation.right))
+    }
+
     /// Writes a number as an integer or as a quotient of two.
     pub fn number(self, number: &Rational) -> String {
         let (numerator, denominator) = (number.numerator().to_string(), number.denominator());

@@ -199,6 +199,9 @@ impl Scope {
                 .flat_map(|entry| [entry.name.ascii.as_str(), entry.name.unicode.as_str()]);
             let candidates = known.chain(super::function::NAMES);
             let help = match nearest(&name.unicode, candidates) {
+                _ if name.ascii == "pi" => format!(
+                    "numbers are exact, and this one is not known: declare a parameter for it, `parameter {name} : 1 > 0`"
+                ),
                 Some(near) => format!("did you mean `{near}`?"),
                 None => {
                     "declare it as a parameter, an angle or a coordinate, or define it with `:=`"

@@ -120,7 +120,7 @@ impl Cursor<'_> {
     /// `(8): left == right to order 1 in ρ "…"`
     fn assertion(&mut self, expectation: Expectation) -> Parsed<StatementKind> {
         let label = self.label()?;
-        self.expect(TokenKind::Colon, "`:`")?;
+        self.expect_colon("write `:` behind the label: `claim (1): a == b`")?;
         let relation = self.relation("`==`, `<`, `<=`, `>` or `>=`")?;
         let order = self.order()?;
         let description = self.description()?;
@@ -215,7 +215,7 @@ impl Cursor<'_> {
     fn matching(&mut self) -> Parsed<StatementKind> {
         let label = self.label()?;
         let name = self.name("the name of the matching")?;
-        self.expect(TokenKind::Colon, "`:`")?;
+        self.expect_colon("write `:` behind the name: `match (1) name: p with q in …`")?;
         let exact = self.expression()?;
         if !self.accept_word("with") {
             return Err(self.expected_after_operand("`with` and the assumed form"));
@@ -313,7 +313,10 @@ impl Cursor<'_> {
             let Some(value) = exponent(&expression, variable) else {
                 let message = format!("this is not a power of `{variable}`");
                 return Err(Diagnostic::syntax(expression.span, message)
-                    .with_label(format!("expected `{variable}^2`, `{variable}` or `1`, say")));
+                    .with_label(format!("expected `{variable}^2`, `{variable}` or `1`, say"))
+                    .with_help(format!(
+                        "behind `at` stand the powers of `{variable}` whose coefficients are used"
+                    )));
             };
             powers.push(Spanned {
                 value,
@@ -323,6 +326,11 @@ impl Cursor<'_> {
                 return Ok(powers);
             }
         }
+    }
+
+    pub(crate) fn expect_colon(&mut self, help: &str) -> Parsed<()> {
+        let colon = self.expect(TokenKind::Colon, "`:`");
+        colon.map(|_| ()).map_err(|error| error.or_help(help))
     }
 
     fn expect_behind_expression(&mut self, kind: TokenKind, what: &str) -> Parsed<()> {

@@ -7,7 +7,7 @@ use crate::algebra::number::{Integer, Rational};
 
 use super::diagnostic::{Diagnostic, DiagnosticKind};
 use super::expression_parser::parse_expression;
-use super::syntax::{BinaryOperator, Expression, Node, Spanned};
+use super::syntax::{BinaryOperator, Expression, Name, Node, Spanned};
 
 /// Π uᵢ^qᵢ of base units uᵢ with rational exponents qᵢ ≠ 0; rad counts as 1.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -104,8 +104,7 @@ impl Unit {
     fn of_expression(expression: &Expression) -> Result<Self, String> {
         match &expression.node {
             Node::Number(number) if *number == Rational::ONE => Ok(Unit::one()),
-            Node::Name(name) => Unit::named(&name.ascii)
-                .ok_or_else(|| format!("`{}` is not the name of a unit", name.unicode)),
+            Node::Name(name) => Unit::named(&name.ascii).ok_or_else(|| unknown(name)),
             Node::Binary(BinaryOperator::Multiply, left, right) => {
                 Ok(Unit::of_expression(left)?.product(&Unit::of_expression(right)?))
             }
@@ -158,6 +157,22 @@ impl fmt::Display for Unit {
             _ => write!(formatter, "{above}/({})", below.join("·")),
         }
     }
+}
+
+/// Why a name is no unit; `kPa` has a prefix.
+fn unknown(name: &Name) -> String {
+    let written = &name.unicode;
+    let mut letters = written.chars();
+    let is_prefix = letters
+        .next()
+        .is_some_and(|first| "GMkhdcmμµn".contains(first));
+    let unit = letters.as_str();
+    if is_prefix && Unit::named(unit).is_some() {
+        return format!(
+            "`{written}` is not the name of a unit: prefixes are not known; write `{unit}`, and numbers in it"
+        );
+    }
+    format!("`{written}` is not the name of a unit")
 }
 
 fn superscript(number: i64) -> String {

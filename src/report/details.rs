@@ -59,7 +59,7 @@ pub fn details(claim: &Claim, notation: Notation, extent: Extent) -> Vec<Detail>
         details.push(Detail::new("leading term", phrase));
     }
     if let Some(witness) = &claim.witness {
-        details.push(point(witness, notation, extent));
+        details.push(point(claim, witness, notation, extent));
     }
     if let Some(reason) = &claim.reason {
         details.push(Detail::new("because", Phrase::of_words(reason)));
@@ -99,7 +99,7 @@ pub fn route(claim: &Claim) -> String {
 }
 
 /// `m = 2, cos(α_0) = 3/5: left 7/2, right 0`
-fn point(witness: &Witness, notation: Notation, extent: Extent) -> Detail {
+fn point(claim: &Claim, witness: &Witness, notation: Notation, extent: Extent) -> Detail {
     let most = match extent {
         Extent::Overview => MOST_COORDINATES,
         Extent::Full => usize::MAX,
@@ -113,11 +113,13 @@ fn point(witness: &Witness, notation: Notation, extent: Extent) -> Detail {
     if is_shortened {
         phrase = phrase.words(", …");
     }
-    phrase = phrase.words(if witness.point.is_empty() {
-        "every point: "
-    } else {
-        ": "
-    });
+    phrase = phrase.words(
+        match (witness.point.is_empty(), claim.conditions.is_empty()) {
+            (false, _) => ": ",
+            (true, true) => "every point: ",
+            (true, false) => "every point that meets the conditions: ",
+        },
+    );
     if let Some((row, column)) = witness.entry {
         phrase = phrase.words(format!("entry [{row}, {column}] is "));
     }

@@ -11,8 +11,8 @@ use crate::derivation::verdict::{Claim, Verdict};
 use super::details::{Extent, details};
 use super::phrase::Phrase;
 use super::summary::Summary;
-use super::words;
-use escape::escape;
+use super::{residuals, words};
+use escape::{Prose, literal};
 
 const PREAMBLE: &str = r"\documentclass{article}
 \usepackage[T1]{fontenc}
@@ -20,7 +20,7 @@ const PREAMBLE: &str = r"\documentclass{article}
 \usepackage{amsmath, amssymb}
 \usepackage{longtable}
 \usepackage[margin=25mm]{geometry}
-% Long formulas are broken at their operators, never stretched.
+% Long formulas are broken at the signs between their operands, never stretched.
 \raggedright
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{4pt}
@@ -37,10 +37,8 @@ pub fn audits(audits: &[Audit]) -> String {
 /// Writes the matchings of documents.
 pub fn matchings(audits: &[Audit]) -> String {
     let matchings = audits.iter().flat_map(|audit| {
-        audit
-            .matchings
-            .iter()
-            .map(|matched| matching(&audit.path, matched))
+        let matchings = audit.matchings.iter();
+        matchings.map(|matched| matching(audit, matched))
     });
     document(matchings)
 }
@@ -55,10 +53,14 @@ fn document(sections: impl Iterator<Item = String>) -> String {
 
 fn audit(audit: &Audit) -> String {
     let summary = Summary::new(audit);
-    let title = audit.title.as_deref().unwrap_or(&audit.path);
-    let mut page = format!("\\section*{{{}}}\n", escape(title));
-    page += &format!("The verdicts on \\texttt{{{}}}. ", escape(&audit.path));
-    page += &format!("{}\n", escape(&summary.conclusion()));
+    let prose = &Prose::of(audit);
+    let title = match &audit.title {
+        Some(title) => prose.escape(title),
+        None => literal(&audit.path),
+    };
+    let mut page = format!("\\section*{{{title}}}\n");
+    page += &format!("The verdicts on \\texttt{{{}}}. ", literal(&audit.path));
+    page += &format!("{}\n", literal(&summary.conclusion()));
     if !summary.counts.is_empty() {
         let rows = summary.counts.iter().map(|(verdict, count)| {
             format!("{} {} & {count} \\\\\n", mark(*verdict), verdict.text())
@@ -66,12 +68,13 @@ fn audit(audit: &Audit) -> String {
         let rows: String = rows.collect();
         page += &format!("\n\\begin{{longtable}}{{lr}}\n{rows}\\end{{longtable}}\n");
     }
+    page += &matchings_overview(summary.matchings, prose);
     for (heading, claims) in summary.failures() {
         let items = claims.iter().map(|claim| {
             format!(
                 "\\item {} {}\n",
-                escape(&words::label(&claim.label)),
-                description(claim)
+                prose.escape(&words::label(&claim.label)),
+                description(claim, prose)
             )
         });
         let items: String = items.collect();
@@ -82,39 +85,62 @@ fn audit(audit: &Audit) -> String {
         page += "\n\\subsection*{Verdicts}\n";
     }
     for claim in &audit.claims {
-        page += &self::claim(claim);
+        page += &self::claim(claim, prose);
     }
     page
 }
 
-fn claim(claim: &Claim) -> String {
+/// A line for each matching; nothing where there is none.
+fn matchings_overview(matchings: &[Matched], prose: &Prose) -> String {
+    let items = matchings.iter().map(|matched| {
+        let label = prose.escape(&words::label(&matched.label));
+        let overview = phrase(&residuals::overview(matched, Notation::Latex), prose);
+        format!("\\item {label} {overview}\n")
+    });
+    let items: String = items.collect();
+    if items.is_empty() {
+        return items;
+    }
+    format!("\n\\subsection*{{Matchings}}\n\\begin{{itemize}}\n{items}\\end{{itemize}}\n")
+}
+
+fn claim(claim: &Claim, prose: &Prose) -> String {
     let mut written = format!(
         "\n\\assertion{{{} {}}}{{{}}}{{{}}}\n",
         mark(claim.verdict),
         claim.verdict.text(),
-        escape(&words::label(&claim.label)),
-        description(claim)
+        prose.escape(&words::label(&claim.label)),
+        description(claim, prose)
     );
     if let Some(surprise) = words::surprise(claim) {
-        written += &format!("\\textbf{{{}}}\\par\n", escape(&surprise));
+        written += &format!("\\textbf{{{}}}\\par\n", literal(&surprise));
     }
     written += &format!(
         "{}\\par\n",
-        mathematics(&Notation::Latex.relation(&claim.statement))
+        mathematics(&words::statement(claim, Notation::Latex))
     );
     for detail in details(claim, Notation::Latex, Extent::Full) {
-        written += &format!("{} {}\\par\n", detail.keyword, phrase(&detail.phrase));
+        written += &format!(
+            "{} {}\\par\n",
+            detail.keyword,
+            phrase(&detail.phrase, prose)
+        );
     }
     written
 }
 
-fn matching(path: &str, matched: &Matched) -> String {
-    let label = escape(&words::label(&matched.label));
-    let mut page = format!("\\section*{{{label} {}}}\n", escape(&matched.name.unicode));
+fn matching(audit: &Audit, matched: &Matched) -> String {
+    let prose = &Prose::of(audit);
+    let label = prose.escape(&words::label(&matched.label));
+    let mut page = format!("\\section*{{{label} {}}}\n", literal(&matched.name.unicode));
     if let Some(description) = &matched.description {
-        page += &format!("{}.\n", escape(description));
+        page += &format!("{}.\n", prose.escape(description));
     }
-    page += &format!("\\texttt{{{}}}, line {}\n\n", escape(path), matched.line);
+    page += &format!(
+        "\\texttt{{{}}}, line {}\n\n",
+        literal(&audit.path),
+        matched.line
+    );
     let (exact, assumed) = words::polynomials(matched, Notation::Latex);
     page += &format!(
         "{} is matched with {}.\n",
@@ -123,7 +149,7 @@ fn matching(path: &str, matched: &Matched) -> String {
     );
     page += "\n\\subsection*{Coefficients}\n\\begin{description}\n";
     for row in &matched.table {
-        page += &coefficients(matched, row);
+        page += &coefficients(matched, row, prose);
     }
     page += "\\end{description}\n";
     if !matched.neglected.is_empty() {
@@ -154,14 +180,14 @@ fn matching(path: &str, matched: &Matched) -> String {
     page
 }
 
-fn coefficients(matched: &Matched, row: &Row) -> String {
+fn coefficients(matched: &Matched, row: &Row, prose: &Prose) -> String {
     let power = mathematics(&words::power(matched, row.power, Notation::Latex));
     let used = if row.used {
         "used to solve"
     } else {
         "not used"
     };
-    let remainder = phrase(&words::remainder(matched, row, Notation::Latex));
+    let remainder = phrase(&words::remainder(matched, row, Notation::Latex), prose);
     let mut written = format!("\\item[{power}] {used}, {remainder}\\par\n");
     written += &format!("exact {}\\par\n", formula(&row.exact));
     written += &format!("assumed {}\\par\n", formula(&row.assumed));
@@ -181,12 +207,13 @@ const fn mark(verdict: Verdict) -> &'static str {
     }
 }
 
-fn description(claim: &Claim) -> String {
-    claim.description.as_deref().map(escape).unwrap_or_default()
+fn description(claim: &Claim, prose: &Prose) -> String {
+    let description = claim.description.as_deref();
+    description.map_or(String::new(), |words| prose.escape(words))
 }
 
-fn phrase(phrase: &Phrase) -> String {
-    phrase.render(escape, mathematics)
+fn phrase(phrase: &Phrase, prose: &Prose) -> String {
+    phrase.render(|words| prose.escape(words), mathematics)
 }
 
 fn formula(expression: &Expression) -> String {

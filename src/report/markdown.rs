@@ -11,7 +11,7 @@ use crate::derivation::verdict::Claim;
 use super::details::{Detail, Extent, details};
 use super::phrase::Phrase;
 use super::summary::Summary;
-use super::words;
+use super::{residuals, words};
 
 /// Characters that mean something to Markdown within a line.
 const SPECIAL: &str = r"\`*_[]<>|$#~&";
@@ -27,6 +27,14 @@ pub fn audit(audit: &Audit) -> String {
     }
     for (verdict, count) in &summary.counts {
         page += &row(&[words::verdict(*verdict), count.to_string()]);
+    }
+    if !summary.matchings.is_empty() {
+        page += "\n## Matchings\n\n";
+    }
+    for matched in summary.matchings {
+        let label = escape(&words::label(&matched.label));
+        let overview = phrase(&residuals::overview(matched, Notation::Latex));
+        page += &format!("- **{label}** {overview}\n");
     }
     for (heading, claims) in summary.failures() {
         page += &format!("\n## {heading}\n\n");
@@ -53,9 +61,9 @@ pub fn matching(path: &str, matched: &Matched) -> String {
     page += &format!("`{path}`, line {}\n\n", matched.line);
     let (exact, assumed) = words::polynomials(matched, Notation::Latex);
     page += &format!(
-        "{} is matched with {}.\n\n",
-        mathematics(&exact),
-        mathematics(&assumed)
+        "{}is matched with\n{}\n",
+        displayed(&exact),
+        displayed(&assumed)
     );
     page +=
         "| power | used | exact | assumed | residual | remainder |\n|---|---|---|---|---|---|\n";
@@ -87,13 +95,13 @@ pub fn matching(path: &str, matched: &Matched) -> String {
     for (name, value) in &matched.solution {
         let value = Notation::Latex.expression(value);
         let equation = format!("{} = {value}", Notation::Latex.name(name));
-        page += &format!("- {}\n", mathematics(&equation));
+        page += &displayed(&equation);
     }
     page
 }
 
 fn claim(claim: &Claim) -> String {
-    let statement = mathematics(&Notation::Latex.relation(&claim.statement));
+    let statement = mathematics(&words::statement(claim, Notation::Latex));
     let mut verdict = words::verdict(claim.verdict);
     if let Some(surprise) = words::surprise(claim) {
         verdict += &format!("<br>**{}**", escape(&surprise));
@@ -153,9 +161,14 @@ fn formula(expression: &Expression) -> String {
     mathematics(&Notation::Latex.expression(expression))
 }
 
-/// A formula within a line; a bar would end the cell of a table.
+/// A formula within a line, fenced so that backslashes stay; a bar would end the cell of a table.
 fn mathematics(formula: &str) -> String {
-    format!("${}$", formula.replace('|', r"\vert "))
+    format!("$`{}`$", formula.replace('|', r"\vert "))
+}
+
+/// A formula in lines of its own.
+fn displayed(formula: &str) -> String {
+    format!("```math\n{formula}\n```\n")
 }
 
 /// Prose as it is meant, on one line.
@@ -186,6 +199,6 @@ mod tests {
     #[test]
     fn bars_do_not_end_cells() {
         let cell = mathematics(r"\left.x\right|_{a}");
-        assert_eq!(row(&[cell]), "| $\\left.x\\right\\vert _{a}$ |\n");
+        assert_eq!(row(&[cell]), "| $`\\left.x\\right\\vert _{a}`$ |\n");
     }
 }

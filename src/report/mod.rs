@@ -8,6 +8,7 @@ pub mod json;
 pub mod latex;
 pub mod markdown;
 pub mod phrase;
+pub mod residuals;
 pub mod summary;
 pub mod text;
 pub mod words;

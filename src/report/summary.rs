@@ -1,6 +1,7 @@
 //! A document's verdicts at a glance.
 
 use crate::derivation::audit::Audit;
+use crate::derivation::matching::Matched;
 use crate::derivation::verdict::{Claim, Verdict};
 
 use super::words;
@@ -26,6 +27,8 @@ pub struct Summary<'a> {
     pub statements: Vec<&'a Claim>,
     /// Claims whose verdict is not the one that the author expects.
     pub surprises: Vec<&'a Claim>,
+    /// What was matched.
+    pub matchings: &'a [Matched],
     total: usize,
 }
 
@@ -55,6 +58,7 @@ impl<'a> Summary<'a> {
                 .iter()
                 .filter(|claim| !claim.as_expected())
                 .collect(),
+            matchings: &audit.matchings,
             total: audit.claims.len(),
         }
     }
@@ -74,7 +78,11 @@ impl<'a> Summary<'a> {
     /// Whether all is as the document expects, in a sentence.
     pub fn conclusion(&self) -> String {
         match (self.total, self.surprises.len()) {
-            (0, _) => "The document asserts nothing.".into(),
+            (0, _) if self.matchings.is_empty() => {
+                "Nothing was checked: the document only declares, and asserts and matches nothing."
+                    .into()
+            }
+            (0, _) => "The document asserts nothing; it has a matching only.".into(),
             (1, 0) => "The one verdict is as the document expects.".into(),
             (total, 0) => format!("All {total} verdicts are as the document expects."),
             (total, 1) => format!("1 of {total} verdicts is NOT as the document expects."),

@@ -53,6 +53,14 @@ pub fn surprise(claim: &Claim) -> Option<String> {
     (!claim.as_expected()).then(|| format!("NOT AS EXPECTED: the document expects “{expected}”"))
 }
 
+/// What a claim says; an approximation has `≈`.
+pub fn statement(claim: &Claim, notation: Notation) -> String {
+    match claim.expectation {
+        Expectation::Approximate => notation.approximation(&claim.statement),
+        _ => notation.relation(&claim.statement),
+    }
+}
+
 /// `sin(α_g + θ_0) ≠ 0`
 pub fn condition(condition: &Condition, notation: Notation) -> String {
     let expression = notation.expression(&condition.expression);

@@ -84,6 +84,54 @@ fn status_is_2_where_the_input_is_wrong() {
 }
 
 #[test]
+fn a_document_without_a_block_is_wrong_input() {
+    for (name, text) in [
+        ("prose.md", "# Prose\n"),
+        ("nothing.md", ""),
+        ("plain.md", "```\nparameter a : m\n```\n"),
+        ("misspelt.md", "```sextix\nparameter a : m\n```\n"),
+    ] {
+        let path = document(name, text);
+        let output = sextic(&["audit", path.to_str().expect("a path")]);
+        assert_eq!(output.status.code(), Some(2), "{text}");
+        assert!(String::from_utf8_lossy(&output.stderr).contains(name));
+    }
+    let (status, out, _) = status_of("declares.md", "area := a*b");
+    assert_eq!(status, Some(0));
+    assert!(out.contains("Nothing was checked"), "{out}");
+}
+
+/// A matching whose residual is no small quantity.
+const OFF: &str = "parameter s, t : 1\n\
+    match (1) same: s^2 + t*s + 1 with s^2 + c*s + 2 in s unknown c at s";
+
+#[test]
+fn matchings_are_part_of_the_audit() {
+    let statements = format!("parameter c : 1\n{OFF}\nclaim [one]: a + b == b + a");
+    let (status, out, _) = status_of("off.md", &statements);
+    assert_eq!(status, Some(0));
+    assert!(
+        out.contains("(1) same: 2 of 3 powers matched exactly; WARNING"),
+        "{out}"
+    );
+    let path = document("off.md", &block(&statements));
+    let path = path.to_str().expect("a path");
+    let output = sextic(&["audit", path, "--format", "json"]);
+    let json: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(json["documents"][0]["matchings"][0], "1");
+    let output = sextic(&["audit", path, "--explain", "1"]);
+    assert_eq!(output.status.code(), Some(2));
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(message.contains("(1) is a matching") && message.contains("sextic match"));
+}
+
+#[test]
+fn a_verdict_that_differs_names_its_place() {
+    let (_, out, _) = status_of("place.md", "claim [one]: a == b");
+    assert_eq!(out.matches("place.md:5").count(), 2, "{out}");
+}
+
+#[test]
 fn json_is_that_of_the_design() {
     let output = sextic(&["audit", "--format", "json"]);
     assert_eq!(output.status.code(), Some(0));

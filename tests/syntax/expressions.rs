@@ -140,7 +140,7 @@ fn latex_is_for_print() {
             "S_xθ + wing_area_max",
             r"S_{x\theta} + \mathit{wing}_{\mathrm{area},\mathrm{max}}",
         ),
-        ("hurwitz(p)", r"\operatorname{hurwitz}\left(p\right)"),
+        ("hurwitz(p)", r"\mathrm{hurwitz}\left(p\right)"),
         ("x at rest", r"\left.x\right|_{\mathrm{rest}}"),
     ] {
         assert_eq!(written(text, Notation::Latex), expected);

@@ -289,10 +289,22 @@ fn a_statement_ends_with_its_line_unless_the_next_is_indented() {
         ("M := [a,\nb;\n\nc, d]\nY := b", 2),
         ("   X := a\n   + b", 1),
         ("X := a\r\n  + b\r\nY := b\r\n", 2),
-        ("", 0),
-        ("# only words", 0),
     ] {
         assert_eq!(statements(text).len(), expected, "{text:?}");
+    }
+}
+
+#[test]
+fn a_document_without_a_statement_is_an_error() {
+    for text in [
+        "",
+        "# words",
+        "```sextic\n```\n",
+        "```sextic\n# a comment\n```\n",
+    ] {
+        let errors = parse_document(&SourceFile::new("document.md", text)).unwrap_err();
+        let codes: Vec<_> = errors.iter().map(|error| error.kind.code()).collect();
+        assert_eq!(codes, ["no-block"], "{text:?}");
     }
 }
 
@@ -346,7 +358,7 @@ fn blocks_are_found_as_a_markdown_reader_finds_them() {
         ("````sextic more words\na\n````\n", vec!["a\n"]),
         ("~~~ sextic\na\n~~~~~~  \n\nwords\n", vec!["a\n"]),
         ("```sextic\r\na\r\n```\r\n", vec!["a\r\n"]),
-        ("```sextical\na\n```\n", vec![]),
+        ("```sextant\na\n```\n", vec![]),
         (
             "```python\na\n```\n\n    ```sextic\n    b\n    ```\n",
             vec![],
@@ -376,6 +388,15 @@ fn blocks_are_found_as_a_markdown_reader_finds_them() {
         blocks("A *b* `c`\n===\n\n# d\n").0.title.as_deref(),
         Some("A b c")
     );
+}
+
+#[test]
+fn a_block_that_would_be_passed_over_is_an_error() {
+    for language in ["sextix", "Sextic", "sextics", "{.sextic}", "sextic,ignore"] {
+        let (_, errors) = blocks(&format!("```{language}\na\n```\n"));
+        let codes: Vec<_> = errors.iter().map(|error| error.kind.code()).collect();
+        assert_eq!(codes, ["syntax"], "{language}");
+    }
 }
 
 #[test]

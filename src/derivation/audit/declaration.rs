@@ -196,7 +196,12 @@ impl Reader<'_> {
                     .with_help("multiply it by its denominator, whose sign must be known"),
             );
         }
-        let (above, signs) = (difference.numerator().clone(), signs);
+        let above = difference.numerator().clone();
+        let known = ring.polynomial_signs(&above);
+        let known = known.map_err(|error| algebra(error, span))?;
+        if known.intersection(signs) == Signs::NONE {
+            return Err(contradiction(known, span));
+        }
         if signs.negative {
             ring.assumptions_mut()
                 .assume_polynomial(-&above, signs.opposite());
@@ -251,4 +256,14 @@ impl Reader<'_> {
         }
         Ok(())
     }
+}
+
+/// An assumption that cannot be true beside what is declared and assumed above it.
+fn contradiction(known: Signs, span: &Span) -> Diagnostic {
+    let message = "this assumption contradicts what is declared or assumed above it";
+    Diagnostic::new(DiagnosticKind::Inconsistent, span.clone(), message)
+        .with_label(format!(
+            "the right side less the left is {known} by what is above"
+        ))
+        .with_help("from a contradiction everything follows: correct one of the two")
 }

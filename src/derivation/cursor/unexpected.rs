@@ -2,7 +2,7 @@
 
 use super::Cursor;
 use crate::derivation::diagnostic::Diagnostic;
-use crate::derivation::lexer::TokenKind;
+use crate::derivation::lexer::{Token, TokenKind};
 use crate::derivation::name::InvalidName;
 
 /// The words that begin a clause of a statement: behind an operand they are no second factor.
@@ -34,12 +34,20 @@ impl Cursor<'_> {
         let (Some(previous), Some(kind)) = (self.previous(), self.peek()) else {
             return mistake;
         };
+        if self.is_at_indented_statement() {
+            return mistake.with_help(
+                "this line is indented, so it continues the one above: begin a statement at the margin",
+            );
+        }
         if kind == TokenKind::Equals {
             return mistake.with_help("equality is written `==`, a definition `:=`");
         }
         let are_operands = previous.kind.ends_operand() && kind.begins_operand();
         if !are_operands || CLAUSES.contains(&self.peek_text()) {
             return mistake;
+        }
+        if let Some(error) = self.exponential_number(previous) {
+            return error;
         }
         let (left, right) = (self.text_of(&previous.span), self.peek_text());
         let help = if [previous.kind, kind].iter().all(|kind| is_word(*kind)) {
@@ -53,6 +61,48 @@ impl Cursor<'_> {
             .with_help(help)
     }
 
+    /// The error for `1e3`, a number and a name without a space between them.
+    fn exponential_number(&self, number: &Token) -> Option<Diagnostic> {
+        let here = self.here();
+        let is_number = number.kind == TokenKind::Number && number.span.end == here.start;
+        let digits = self
+            .peek_text()
+            .strip_prefix(['e', 'E'])
+            .filter(|_| is_number)?;
+        let (span, exponent) = match (digits, self.peek_at(1), self.peek_at(2)) {
+            ("", Some(TokenKind::Plus | TokenKind::Minus), Some(TokenKind::Number)) => {
+                let sign = self.span_of_next(2).end..self.span_of_next(3).end;
+                let minus = if self.peek_at(1) == Some(TokenKind::Minus) {
+                    "-"
+                } else {
+                    ""
+                };
+                let digits = self.text_of(&sign).trim();
+                (number.span.start..sign.end, format!("{minus}{digits}"))
+            }
+            (digits, ..)
+                if !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit()) =>
+            {
+                (number.span.start..here.end, digits.to_owned())
+            }
+            _ => return None,
+        };
+        let written = self.text_of(&span);
+        let help = match self.text_of(&number.span) {
+            "1" if exponent.len() == 1 => {
+                let zeros = "0".repeat(exponent.parse().unwrap_or(0));
+                format!("write 1{zeros} or 10^{exponent}")
+            }
+            mantissa => format!("write {mantissa}*10^{exponent}"),
+        };
+        let error = Diagnostic::syntax(span.clone(), format!("there is no `{written}`"));
+        Some(
+            error
+                .with_label("numbers have no exponents")
+                .with_help(help),
+        )
+    }
+
     /// The error for a bracket at the position that no other one opens, if there is a bracket.
     pub(crate) fn surplus_bracket(&self) -> Option<Diagnostic> {
         let is_closing = matches!(
@@ -61,7 +111,11 @@ impl Cursor<'_> {
         );
         let message = format!("`{}` closes no bracket", self.peek_text());
         let error = Diagnostic::syntax(self.here(), message);
-        is_closing.then(|| error.with_label("no bracket of this kind is open here"))
+        is_closing.then(|| {
+            error
+                .with_label("no bracket of this kind is open here")
+                .with_help("take it away, or open one where it should begin")
+        })
     }
 
     /// The error for a character that is no token, with what was probably meant.
@@ -86,7 +140,12 @@ impl Cursor<'_> {
             {
                 "a subscript is written behind `_`: `x_1`"
             }
-            _ => return error,
+            "≟" | "≡" | "≅" | "∼" | "≃" => {
+                "equality is written `==`, in an approximation also `≈`"
+            }
+            _ => {
+                "outside of strings and comments there are letters, digits and + - * / ^ ( ) [ ] | √ ' , ; : = < >"
+            }
         };
         error.with_help(help)
     }

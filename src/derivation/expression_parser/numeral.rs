@@ -17,9 +17,9 @@ pub(super) fn number(text: &str, span: &Span) -> Parsed<Rational> {
         let message = format!("a number may have at most {MAXIMUM_DIGITS} digits");
         // The number itself would fill the screen.
         let start = span.start..span.start;
-        return Err(
-            Diagnostic::new(DiagnosticKind::Budget, start, message).with_label("this one has more")
-        );
+        return Err(Diagnostic::new(DiagnosticKind::Budget, start, message)
+            .with_label("this one has more")
+            .with_help("write a quotient, a power of 10, or a parameter"));
     }
     let digits = integer(&format!("{whole}{fraction}"), span)?;
     let power_of_ten = integer(&format!("1{}", "0".repeat(fraction.len())), span)?;

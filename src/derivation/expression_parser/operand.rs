@@ -66,7 +66,12 @@ impl Cursor<'_> {
             Some(TokenKind::Plus) => Err(self
                 .expected("an expression")
                 .with_help("a plus sign stands between two terms")),
-            _ => Err(self.expected("an expression")),
+            Some(TokenKind::CloseSquare) => Err(self
+                .expected("an expression")
+                .with_help("a matrix has an entry at least, and one behind every `,` and `;`")),
+            _ => Err(self.expected("an expression").or_help(
+                "an expression is a number, a name, a call such as `sin(α)`, a matrix, or another one in brackets",
+            )),
         }
     }
 

@@ -15,6 +15,14 @@ use crate::derivation::syntax::{Expression, Matching, Name, Replacement, Span};
 use super::Singularity;
 use super::equations::Equations;
 
+/// Where the powers stand whose coefficients are used.
+fn of_powers(matching: &Matching) -> Span {
+    match (matching.powers.first(), matching.powers.last()) {
+        (Some(first), Some(last)) => first.span.start..last.span.end,
+        _ => matching.name.span.clone(),
+    }
+}
+
 impl Elaborator {
     /// The solution of as many equations as there are unknowns, checked in the others, and the
     /// determinant.
@@ -24,7 +32,7 @@ impl Elaborator {
         equations: &Equations,
         count: usize,
     ) -> Result<(Vec<Fraction>, Fraction), Diagnostic> {
-        let span = &matching.name.span;
+        let span = &of_powers(matching);
         let wrap = |error| algebra(error, span);
         let singular = |message: String| {
             Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)

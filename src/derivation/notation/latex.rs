@@ -1,9 +1,12 @@
 //! Mathematics as LaTeX sets it; what follows from the layout needs no brackets.
 
+mod breaking;
+
 use super::{Notation, Strength, decimal, dotted, is_negative};
 use crate::algebra::number::Rational;
 use crate::derivation::name::greek::transliterate;
 use crate::derivation::syntax::{BinaryOperator, Expression, Name, Node, Place};
+use breaking::brackets;
 
 /// Functions that LaTeX has a command for.
 const COMMANDS: [&str; 5] = ["sin", "cos", "tan", "cot", "det"];
@@ -27,13 +30,7 @@ pub(super) fn expression(expression: &Expression) -> String {
         Node::Index(base, indices) => {
             format!("{}_{{{}}}", script_base(base, false), list(indices, ","))
         }
-        Node::At(inner, place) => {
-            format!(
-                r"\left.{}\right|_{{{}}}",
-                self::expression(inner),
-                self::place(place)
-            )
-        }
+        Node::At(inner, place) => breaking::taken_at(&self::expression(inner), &self::place(place)),
     }
 }
 
@@ -113,11 +110,17 @@ fn binary(operator: BinaryOperator, left: &Expression, right: &Expression) -> St
                 unsigned(right, Strength::Product),
             );
             let begins_with_digit = right.starts_with(|first: char| first.is_ascii_digit());
-            let sign = if begins_with_digit { r" \cdot " } else { r"\," };
+            // A line can be broken at a dot, but not at a space.
+            let sign = if begins_with_digit || breaking::is_long(&left) {
+                r" \cdot "
+            } else {
+                r"\,"
+            };
             format!("{left}{sign}{right}")
         }
         BinaryOperator::Divide => {
-            format!(r"\frac{{{}}}{{{}}}", expression(left), expression(right))
+            let factor = unsigned(left, Strength::Product);
+            breaking::quotient(&expression(left), &factor, &expression(right))
         }
         BinaryOperator::Power => power(left, &expression(right)),
     }
@@ -177,7 +180,7 @@ fn special(call: &Expression) -> Option<String> {
         return None;
     };
     Some(match (function.ascii.as_str(), arguments.as_slice()) {
-        ("sqrt", [square]) => format!(r"\sqrt{{{}}}", expression(square)),
+        ("sqrt", [square]) => breaking::root(&expression(square)),
         ("inverse", [matrix]) => power(matrix, "-1"),
         ("transpose", [matrix]) => power(matrix, r"\mathsf{T}"),
         ("dt", [quantity]) => format!(
@@ -209,7 +212,7 @@ fn call(function: &Name, order: u32, arguments: &[Expression]) -> String {
     let written = if COMMANDS.contains(&ascii) {
         format!(r"\{ascii}")
     } else if is_word {
-        format!(r"\operatorname{{{ascii}}}")
+        format!(r"\mathrm{{{ascii}}}")
     } else {
         name(function)
     };
@@ -285,8 +288,4 @@ fn unsigned(inner: &Expression, weakest: Strength) -> String {
 fn is_looser(inner: &Expression, weakest: Strength) -> bool {
     let strength = Strength::of(inner);
     strength != Strength::Place && strength < weakest
-}
-
-fn brackets(inner: &str) -> String {
-    format!(r"\left({inner}\right)")
 }

@@ -22,6 +22,8 @@ struct DocumentObject<'a> {
     path: &'a str,
     title: Option<&'a str>,
     claims: Vec<ClaimObject<'a>>,
+    /// The ids of the matchings, which `sextic match` shows.
+    matchings: Vec<&'a str>,
     as_expected: bool,
 }
 
@@ -69,6 +71,7 @@ pub fn audits(audits: &[Audit]) -> String {
         path: &audit.path,
         title: audit.title.as_deref(),
         claims: audit.claims.iter().map(claim_object).collect(),
+        matchings: matching_ids(audit).collect(),
         as_expected: audit.as_expected(),
     });
     super::write(&Documents {
@@ -89,6 +92,11 @@ pub fn explanation(audit: &Audit, claim: &Claim) -> String {
         points: claim.points,
         route: route(claim),
     })
+}
+
+fn matching_ids(audit: &Audit) -> impl Iterator<Item = &str> {
+    let matchings = audit.matchings.iter();
+    matchings.map(|matched| matched.label.id.as_str())
 }
 
 fn claim_object(claim: &Claim) -> ClaimObject<'_> {

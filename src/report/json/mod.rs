@@ -1,6 +1,7 @@
 //! Verdicts and matchings for programs.
 //!
-//! Expressions are text in ASCII names with `**` for powers, which SymPy reads; nothing is shortened.
+//! Expressions are text in ASCII names with `**` for powers; nothing is shortened. What was computed is
+//! read by SymPy; what the document says is in the block language.
 
 mod audit;
 mod matching;
@@ -59,6 +60,7 @@ match (2) matched: x^2 + a*x with x^2 + b*x in x unknown b at x
         assert_eq!(document["path"], "a.md");
         assert_eq!(document["title"], "Title");
         assert_eq!(document["as_expected"], true);
+        assert_eq!(document["matchings"], json!(["2"]));
         let [first, second] = [&document["claims"][0], &document["claims"][1]];
         assert_eq!(first["id"], "1");
         assert_eq!(first["equation"], "1");

@@ -1,44 +1,80 @@
 //! Prose for LaTeX: what it would take for commands, and the mathematics that people write in words.
 
+use std::collections::BTreeSet;
+
 use unicode_normalization::UnicodeNormalization;
 
+use crate::derivation::audit::Audit;
 use crate::derivation::name::DottedName;
 use crate::derivation::notation::Notation;
 use crate::derivation::syntax::{Expression, Name};
 
-/// The text, with `λ_R`, `ẋ` and their like set as mathematics.
-pub fn escape(text: &str) -> String {
-    let composed: String = text.nfc().collect();
-    let mut escaped = String::with_capacity(composed.len());
-    let mut rest = composed.as_str();
-    while let Some(first) = rest.chars().next() {
-        let length = rest
-            .find(|letter| !is_of_word(letter))
-            .unwrap_or(rest.len());
-        let (part, after) = rest.split_at(length.max(first.len_utf8()));
-        if length > 0 {
-            escaped.push_str(&word(part));
-        } else {
-            escaped.push_str(&sign(first));
+/// How a document's prose is written: the names that it declares are mathematics.
+pub struct Prose {
+    names: BTreeSet<String>,
+}
+
+impl Prose {
+    /// The prose about a document.
+    pub fn of(audit: &Audit) -> Self {
+        let names = audit.names().map(|name| name.unicode.clone()).collect();
+        Prose { names }
+    }
+
+    /// The text, with declared names such as `λ_R` and `ẋ` set as mathematics.
+    pub fn escape(&self, text: &str) -> String {
+        let composed: String = text.nfc().collect();
+        let mut escaped = String::with_capacity(composed.len());
+        let mut rest = composed.as_str();
+        while let Some(first) = rest.chars().next() {
+            let length = rest
+                .find(|letter| !is_of_word(letter))
+                .unwrap_or(rest.len());
+            let (part, after) = rest.split_at(length.max(first.len_utf8()));
+            if length > 0 {
+                escaped.push_str(&self.word(part));
+            } else {
+                escaped.push_str(&sign(first));
+            }
+            rest = after;
         }
+        escaped
+    }
+
+    /// A word: a name if it is declared and has an index, dots or Greek letters; an article is no `a`.
+    fn word(&self, word: &str) -> String {
+        let is_like_a_name = word.contains('_') || word.chars().any(|letter| !is_latin(letter));
+        match DottedName::read(word) {
+            Ok(dotted) if is_like_a_name && self.names.contains(&dotted.name.unicode) => {
+                mathematics(dotted)
+            }
+            _ => literal(word),
+        }
+    }
+}
+
+/// A text in which nothing is a name, such as a path; letters that T1-encoded text lacks are set alone.
+pub fn literal(text: &str) -> String {
+    let composed: String = text.nfc().collect();
+    let mut rest = composed.as_str();
+    let mut escaped = String::with_capacity(rest.len());
+    while let Some(first) = rest.chars().next() {
+        let marks = rest[first.len_utf8()..].find(|letter| !is_combining(letter));
+        let length = marks.map_or(rest.len(), |marks| first.len_utf8() + marks);
+        let (letter, after) = rest.split_at(length);
+        escaped.push_str(&match DottedName::read(letter) {
+            Ok(dotted) if first.is_alphabetic() && !is_latin(first) => mathematics(dotted),
+            _ => letter.chars().map(sign).collect(),
+        });
         rest = after;
     }
     escaped
 }
 
-/// A word: a name where it has an index, dots or Greek letters.
-fn word(word: &str) -> String {
-    if word.is_ascii() && !word.contains('_') {
-        return word.to_owned();
-    }
-    match DottedName::read(word) {
-        Ok(dotted) if word.contains('_') || word.chars().any(|letter| !is_latin(letter)) => {
-            let name = Expression::name(dotted.name);
-            let rate = (0..dotted.dots).fold(name, |inner, _| rate(inner));
-            format!("${}$", Notation::Latex.expression(&rate))
-        }
-        _ => word.chars().map(sign).collect(),
-    }
+fn mathematics(dotted: DottedName) -> String {
+    let name = Expression::name(dotted.name);
+    let rate = (0..dotted.dots).fold(name, |inner, _| rate(inner));
+    format!("${}$", Notation::Latex.expression(&rate))
 }
 
 fn rate(inner: Expression) -> Expression {
@@ -115,19 +151,25 @@ mod tests {
 
     #[test]
     fn prose_is_no_command() {
+        let names = ["λ_R", "θ", "x", "C_D", "a", "x_1"].map(String::from);
+        let prose = Prose {
+            names: BTreeSet::from(names),
+        };
         for (text, expected) in [
-            (
-                "100 % & more_or #1",
-                r"100 \% \& $\mathit{more}_{\mathrm{or}}$ \#1",
-            ),
+            ("100 % & more_or #1", r"100 \% \& more\_or \#1"),
             (r"a\b{c}", r"a\textbackslash{}b\{c\}"),
             ("λ_R = −b/2", r"$\lambda_{R}$ = $-$b/2"),
             ("[a] < b", r"{[}a{]} \textless{} b"),
             ("θ̇² of ẋ", r"$\dot{\theta}$$^{2}$ of $\dot{x}$"),
             ("§4.2: C_D′ ≥ 0", r"\S{}4.2: $C_{D}$$'$ $\ge$ 0"),
             ("été", "été"),
+            ("T _ T $ ^", r"T \_ T \$ \textasciicircum{}"),
+            ("__init__ foo_ _x", r"\_\_init\_\_ foo\_ \_x"),
+            ("λ_S by ω̇", r"$\lambda$\_S by $\dot{\omega}$"),
+            ("x_1, x_1_b", r"$x_{1}$, x\_1\_b"),
         ] {
-            assert_eq!(escape(text), expected);
+            assert_eq!(prose.escape(text), expected);
         }
+        assert_eq!(literal("x_1.md"), r"x\_1.md");
     }
 }

@@ -1,13 +1,15 @@
 //! What became of a document, claim by claim and in sum.
 
 use crate::derivation::audit::Audit;
+use crate::derivation::matching::Matched;
+use crate::derivation::notation::Notation;
 use crate::derivation::verdict::Claim;
 use crate::report::summary::Summary;
-use crate::report::words;
+use crate::report::{residuals, words};
 
 use super::claim;
 use super::page::Page;
-use super::palette::{self, ALARM, FAINT, GOOD, STRONG};
+use super::palette::{self, ALARM, FAINT, GOOD, PLAIN, STRONG};
 use super::run::{Run, spaces};
 
 /// Writes all verdicts on a document, and what they come to.
@@ -19,13 +21,13 @@ pub fn audit(audit: &Audit, width: usize) -> String {
     page.hint(0, &audit.path);
     for claim in &audit.claims {
         page.gap();
-        claim::write(&mut page, claim);
+        claim::write(&mut page, &audit.path, claim);
     }
-    summary(&mut page, &Summary::new(audit));
+    summary(&mut page, &audit.path, &Summary::new(audit));
     page.finish()
 }
 
-fn summary(page: &mut Page, summary: &Summary) {
+fn summary(page: &mut Page, path: &str, summary: &Summary) {
     if !summary.counts.is_empty() {
         page.heading("In sum");
     }
@@ -34,34 +36,55 @@ fn summary(page: &mut Page, summary: &Summary) {
         let count = Run::words(format!("  {count:>4} "), STRONG);
         page.prose(&[count], &[Run::words(words::verdict(*verdict), style)]);
     }
+    matchings(page, summary.matchings);
     for (heading, claims) in summary.failures() {
-        list(page, heading, claims);
+        list(page, path, heading, claims);
     }
     if !summary.surprises.is_empty() {
-        list(page, "Not as the document expects", &summary.surprises);
+        list(
+            page,
+            path,
+            "Not as the document expects",
+            &summary.surprises,
+        );
     }
     page.gap();
-    let style = if summary.surprises.is_empty() {
-        GOOD
-    } else {
-        ALARM
+    let style = match summary.surprises.as_slice() {
+        [] if summary.counts.is_empty() => STRONG,
+        [] => GOOD,
+        _ => ALARM,
     };
     page.prose(&[], &[Run::words(summary.conclusion(), style)]);
 }
 
+/// `  (20) closed_form: 4 of 7 powers matched exactly`
+fn matchings(page: &mut Page, matchings: &[Matched]) {
+    if !matchings.is_empty() {
+        page.heading("Matchings");
+    }
+    for matched in matchings {
+        let style = match residuals::warning(matched) {
+            Some(_) => ALARM,
+            None => STRONG,
+        };
+        let label = Run::words(words::label(&matched.label), style);
+        let overview = residuals::overview(matched, Notation::Unicode).plain();
+        let runs = [label, Run::words(format!(" {overview}"), PLAIN)];
+        page.prose(&[spaces(2)], &runs);
+    }
+}
+
 /// `  ✗ (8, printed) printed with m in the damping term`
-fn list(page: &mut Page, heading: &str, claims: &[&Claim]) {
+fn list(page: &mut Page, path: &str, heading: &str, claims: &[&Claim]) {
     page.heading(heading);
     for claim in claims {
         let mark = Run::words(words::mark(claim.verdict), palette::of_claim(claim));
         let mut runs = claim::name(claim);
         let expected = words::expectation(claim.expectation);
         if !claim.as_expected() {
-            let found = claim.verdict.text();
-            runs.push(Run::words(
-                format!(" (expected “{expected}”, found “{found}”)"),
-                FAINT,
-            ));
+            let (found, line) = (claim.verdict.text(), claim.line);
+            let place = format!(" (expected “{expected}”, found “{found}”) {path}:{line}");
+            runs.push(Run::words(place, FAINT));
         }
         page.prose(&[spaces(2), mark, spaces(1)], &runs);
     }

@@ -19,12 +19,13 @@ const MOST_LINES_OF_STATEMENT: usize = 4;
 const MOST_LINES_OF_DETAIL: usize = 3;
 
 /// Writes a claim: its verdict, its name, what it says, and what stands below the verdict.
-pub fn write(page: &mut Page, claim: &Claim) {
+pub fn write(page: &mut Page, path: &str, claim: &Claim) {
     headline(page, claim);
     if let Some(surprise) = words::surprise(claim) {
-        page.prose(&[spaces(INDENT)], &[Run::words(surprise, ALARM)]);
+        let place = Run::words(format!(" {path}:{}", claim.line), FAINT);
+        page.prose(&[spaces(INDENT)], &[Run::words(surprise, ALARM), place]);
     }
-    let statement = Notation::Unicode.relation(&claim.statement);
+    let statement = words::statement(claim, Notation::Unicode);
     let mut is_shortened = page.expression(
         &[spaces(INDENT)],
         CONTINUATION,

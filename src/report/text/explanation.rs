@@ -22,7 +22,7 @@ pub fn explanation(audit: &Audit, claim: &Claim, width: usize) -> String {
     page.place(&audit.path, claim.line);
 
     page.heading("Statement");
-    write(&mut page, "", &Notation::Unicode.relation(&claim.statement));
+    write(&mut page, "", &words::statement(claim, Notation::Unicode));
     let explanation = audit.explain(claim);
     if !explanation.definitions.is_empty() {
         page.heading("Rests on");

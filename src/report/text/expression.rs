@@ -3,7 +3,7 @@
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 /// What stands between two sides.
-const RELATIONS: [&str; 8] = ["= ", "== ", "< ", "<= ", "> ", ">= ", "≤ ", "≥ "];
+const RELATIONS: [&str; 9] = ["= ", "≈ ", "== ", "< ", "<= ", "> ", ">= ", "≤ ", "≥ "];
 /// What stands between the terms of a sum, or behind it.
 const SUMS: [&str; 4] = ["+ ", "− ", "- ", "at "];
 /// What stands between the factors of a product.
