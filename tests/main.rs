@@ -2,6 +2,7 @@
 
 mod algebra;
 mod command;
+mod compile;
 mod derivation;
 mod documentation;
 mod paper;

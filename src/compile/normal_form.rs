@@ -79,7 +79,7 @@ impl Translator<'_> {
             for (monomial, coefficient) in part.terms() {
                 let mut powers = BTreeMap::new();
                 for (symbol, exponent) in monomial.factors() {
-                    powers.insert(self.symbol(symbol)?, u32::from(exponent));
+                    powers.insert(self.symbol(symbol)?, exponent);
                 }
                 terms.push((Rational::from(coefficient.clone()), powers));
             }

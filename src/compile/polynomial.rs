@@ -48,17 +48,14 @@ impl Polynomial {
 
     /// p + q
     pub fn sum(&self, other: &Self, program: &mut Program) -> Self {
-        self.merge(other, program, |a, b| Operation::Add(a, b), |_, b| b)
+        self.merge(other, program, Operation::Add, |_, b| b)
     }
 
     /// p − q
     pub fn difference(&self, other: &Self, program: &mut Program) -> Self {
-        self.merge(
-            other,
-            program,
-            |a, b| Operation::Subtract(a, b),
-            |program, b| program.push(Operation::Negative(b)),
-        )
+        self.merge(other, program, Operation::Subtract, |program, b| {
+            program.push(Operation::Negative(b))
+        })
     }
 
     /// −p

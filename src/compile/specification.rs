@@ -4,11 +4,12 @@ use sextic_codegen::evaluator::{Evaluator as Emitted, Quantity};
 
 use crate::algebra::fraction::Fraction;
 use crate::derivation::audit::Audit;
+use crate::derivation::condition::Requirement;
 use crate::derivation::diagnostic::Diagnostic;
 use crate::derivation::evaluator::Evaluator;
 use crate::derivation::notation::Notation;
 use crate::derivation::quantity::Value;
-use crate::report::words;
+use crate::derivation::verdict::Condition;
 
 use super::input::Input;
 use super::translation::{entry_names, translate};
@@ -92,10 +93,7 @@ impl Specification {
                     .map(|(_, input)| quantity(input))
                     .collect(),
                 outputs: shown,
-                conditions: conditions
-                    .iter()
-                    .map(|condition| words::condition(condition, Notation::Unicode))
-                    .collect(),
+                conditions: conditions.iter().map(written).collect(),
                 program: translated.program,
                 command: command.to_string(),
                 document: audit.path.clone(),
@@ -104,6 +102,15 @@ impl Specification {
                 rounding: None,
             },
         })
+    }
+}
+
+/// `L_g ≠ 0`
+fn written(condition: &Condition) -> String {
+    let expression = Notation::Unicode.expression(&condition.expression);
+    match condition.requirement {
+        Requirement::NonZero => format!("{expression} ≠ 0"),
+        Requirement::Positive => format!("{expression} > 0"),
     }
 }
 

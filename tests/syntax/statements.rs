@@ -5,7 +5,7 @@ use sextic::derivation::document::{Document, parse_document, parse_document_with
 use sextic::derivation::markdown::blocks;
 use sextic::derivation::notation::Notation;
 use sextic::derivation::syntax::{
-    Expression, Label, Name, Replacement, Spanned, Statement, StatementKind,
+    EvaluatorBody, Expression, Label, Name, Replacement, Spanned, Statement, StatementKind,
 };
 
 fn document(text: &str) -> Document {
@@ -92,6 +92,27 @@ fn summary(statement: &Statement) -> String {
                 names(declared),
                 unit.value
             )
+        }
+        StatementKind::Evaluator {
+            label: called,
+            name,
+            body,
+            description,
+        } => {
+            let body = match body {
+                EvaluatorBody::Outputs(outputs) => {
+                    let written = outputs.iter().map(|(name, value)| {
+                        let value = Notation::Ascii.expression(value);
+                        format!("{} = {value}", name.value.ascii)
+                    });
+                    written.collect::<Vec<_>>().join(", ")
+                }
+                EvaluatorBody::Special { general, .. } => {
+                    format!("special {}", general.value.ascii)
+                }
+            };
+            let (label, name) = (label(called), &name.value.ascii);
+            format!("evaluator {label} | {name} | {body} | {description:?}")
         }
         StatementKind::Imaginary { name } => format!("imaginary {}", name.value.ascii),
         StatementKind::Assume {
