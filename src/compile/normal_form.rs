@@ -14,7 +14,7 @@ use crate::derivation::scope::Meaning;
 use crate::derivation::syntax::Name;
 
 use super::polynomial::Polynomial;
-use super::translation::{Obstacle, Translator};
+use super::translation::{Context, Obstacle, Translator};
 
 impl Translator<'_> {
     /// An element as a polynomial in the variable that is collected, if there is one: each factor by
@@ -22,9 +22,8 @@ impl Translator<'_> {
     pub(super) fn element(
         &mut self,
         element: &Fraction,
-        variable: Option<&str>,
+        context: Context,
     ) -> Result<Polynomial, Obstacle> {
-        let variable = variable.and_then(|name| self.symbol_of(name));
         if element.is_zero() {
             return Ok(Polynomial::default());
         }
@@ -34,7 +33,7 @@ impl Translator<'_> {
         let mut value = Polynomial::monomial(0, constant);
         let mut below: Option<Node> = None;
         for (factor, exponent) in &factored.factors {
-            let base = self.sum_of_terms(factor, variable)?;
+            let base = self.sum_of_terms(factor, context)?;
             for _ in 0..exponent.unsigned_abs() {
                 if *exponent > 0 {
                     value = value.product(&base, &mut self.program);
@@ -57,8 +56,10 @@ impl Translator<'_> {
         })
     }
 
-    fn symbol_of(&self, ascii: &str) -> Option<Symbol> {
-        match self.elaborator.scope.get(&Name::new(ascii))?.meaning {
+    /// The symbol of the variable whose powers are kept apart.
+    fn variable_symbol(&self, context: Context) -> Option<Symbol> {
+        let name = self.variable(context)?;
+        match self.elaborator.scope.get(&Name::new(name))?.meaning {
             Meaning::Symbol { symbol, .. } => Some(symbol),
             _ => None,
         }
@@ -67,9 +68,9 @@ impl Translator<'_> {
     fn sum_of_terms(
         &mut self,
         element: &Element,
-        variable: Option<Symbol>,
+        context: Context,
     ) -> Result<Polynomial, Obstacle> {
-        let parts = match variable {
+        let parts = match self.variable_symbol(context) {
             Some(variable) => element.coefficients_in(variable),
             None => BTreeMap::from([(0, element.clone())]),
         };
@@ -79,7 +80,7 @@ impl Translator<'_> {
             for (monomial, coefficient) in part.terms() {
                 let mut powers = BTreeMap::new();
                 for (symbol, exponent) in monomial.factors() {
-                    powers.insert(self.symbol(symbol)?, exponent);
+                    powers.insert(self.value_of(symbol, context)?, exponent);
                 }
                 terms.push((Rational::from(coefficient.clone()), powers));
             }
@@ -90,14 +91,14 @@ impl Translator<'_> {
         Ok(sum)
     }
 
-    /// The value of a symbol: an input, or the root of one.
-    fn symbol(&mut self, symbol: Symbol) -> Result<Node, Obstacle> {
+    /// The value of a symbol, which may be a root.
+    fn value_of(&mut self, symbol: Symbol, context: Context) -> Result<Node, Obstacle> {
         if let Generator::Root { radicand } = self.elaborator.ring.generator(symbol).clone() {
-            let radicand = self.sum_of_terms(&radicand, None)?;
+            let radicand = self.sum_of_terms(&radicand, context)?;
             let radicand = radicand.constant().flatten();
             let radicand = radicand.ok_or(Obstacle::Refused("the root of 0".into()))?;
             return Ok(self.program.push(Operation::SquareRoot(radicand)));
         }
-        self.input(symbol)
+        self.symbol(symbol, context)
     }
 }

@@ -2,13 +2,15 @@
 
 mod matrix;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use sextic_codegen::program::{Node, Operation, Program};
 
+use crate::algebra::generator::Generator;
 use crate::algebra::symbol::Symbol;
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::evaluator::Evaluator;
+use crate::derivation::presentation::Presenter;
 use crate::derivation::scope::Meaning;
 use crate::derivation::syntax::{
     BinaryOperator, Expression, Name, Node as Syntax, Place, Replacement,
@@ -78,6 +80,8 @@ pub(super) struct Context {
 struct Surrounding {
     /// What replaces symbols, by ASCII name.
     replaced: BTreeMap<String, Table>,
+    /// The places that do so, the innermost first.
+    places: Vec<Place>,
     /// The variable whose powers are kept apart, by ASCII name.
     variable: Option<String>,
 }
@@ -138,21 +142,19 @@ impl<'a> Translator<'a> {
         Ok(())
     }
 
-    /// The value of an expression: with its structure, or else from its normal form where nothing
-    /// around it changes that.
+    /// The value of an expression: with its structure, or else from its normal form.
     fn table(&mut self, expression: &Expression, context: Context) -> Result<Table, Obstacle> {
         match self.structure(expression, context) {
-            Err(Obstacle::Structure) if !self.is_affected(expression, context) => {
+            Err(Obstacle::Structure) if !self.names_an_argument(expression, context) => {
                 let value = self
                     .elaborator
                     .value(expression)
                     .map_err(|error| Obstacle::Refused(error.message))?;
-                let variable = self.surroundings[context.surrounding].variable.clone();
                 let mut table = Table::new();
                 for row in 0..value.rows() {
                     let mut line = Vec::new();
                     for column in 0..value.columns() {
-                        line.push(self.element(&value.at(row, column).value, variable.as_deref())?);
+                        line.push(self.element(&value.at(row, column).value, context)?);
                     }
                     table.push(line);
                 }
@@ -162,19 +164,12 @@ impl<'a> Translator<'a> {
         }
     }
 
-    /// Whether the surroundings give a name that an expression rests on another value, or a call does.
-    fn is_affected(&self, expression: &Expression, context: Context) -> bool {
-        let mut names = BTreeSet::new();
-        expression.visit_names(&mut |name| {
-            names.insert(name.ascii.clone());
-            if let Some(entry) = self.elaborator.scope.get(name) {
-                names.extend(entry.rests_on().map(str::to_string));
-            }
-        });
-        let replaced = &self.surroundings[context.surrounding].replaced;
+    /// Whether an expression has a value only in the call that it is a part of.
+    fn names_an_argument(&self, expression: &Expression, context: Context) -> bool {
         let arguments = &self.frames[context.frame].arguments;
-        let known = |name: &String| replaced.contains_key(name) || arguments.contains_key(name);
-        names.iter().any(known)
+        let mut found = false;
+        expression.visit_names(&mut |name| found |= arguments.contains_key(&name.ascii));
+        found
     }
 
     fn structure(&mut self, expression: &Expression, context: Context) -> Result<Table, Obstacle> {
@@ -247,8 +242,46 @@ impl<'a> Translator<'a> {
         }
     }
 
+    /// The value of a symbol of the ring: what the surroundings replace it by, or else an input.
+    pub(super) fn symbol(&mut self, symbol: Symbol, context: Context) -> Result<Node, Obstacle> {
+        let Surrounding {
+            places, variable, ..
+        } = &self.surroundings[context.surrounding];
+        if places.is_empty() {
+            return self.input(symbol);
+        }
+        let Elaborator { ring, scope, .. } = &*self.elaborator;
+        let presenter = Presenter { ring, scope };
+        let mut written = presenter.symbol(symbol).map_err(|_| Obstacle::Structure)?;
+        let value = match ring.generator(symbol) {
+            // What replaces it has a structure to keep.
+            Generator::Constant { .. } | Generator::Angle { .. } => {
+                self.structure(&written, context)?
+            }
+            _ => {
+                let outside = Surrounding {
+                    variable: variable.clone(),
+                    ..Surrounding::default()
+                };
+                for place in places {
+                    let node = Syntax::At(Box::new(written), place.clone());
+                    written = Expression { node, span: 0..0 };
+                }
+                let outside = self.inside(outside, Context::default());
+                let value = self.elaborator.scalar(&written);
+                let value = value.map_err(|error| Obstacle::Refused(error.message))?;
+                scalar(self.element(&value.value, outside)?)
+            }
+        };
+        match value[0][0].constant() {
+            Some(Some(node)) => Ok(node),
+            Some(None) => Ok(self.program.constant(0.into())),
+            None => Err(Obstacle::Structure),
+        }
+    }
+
     /// The node of a symbol that is an input.
-    pub(super) fn input(&mut self, symbol: Symbol) -> Result<Node, Obstacle> {
+    fn input(&mut self, symbol: Symbol) -> Result<Node, Obstacle> {
         let Elaborator { ring, scope, .. } = &*self.elaborator;
         let Some(input) = Input::of(symbol, ring, scope) else {
             return Err(Obstacle::Refused(
@@ -377,6 +410,7 @@ impl<'a> Translator<'a> {
             }
         };
         let mut inside = self.surroundings[context.surrounding].clone();
+        inside.places.insert(0, at.clone());
         for Replacement { target, value } in &replacements {
             let Syntax::Name(name) = &target.node else {
                 return Err(Obstacle::Structure);
@@ -396,6 +430,11 @@ impl<'a> Translator<'a> {
         inside.replaced.remove(&name.ascii);
         inside.variable = Some(name.ascii.clone());
         Ok(self.inside(inside, context))
+    }
+
+    /// The variable whose powers are kept apart, by ASCII name.
+    pub(super) fn variable(&self, context: Context) -> Option<&str> {
+        self.surroundings[context.surrounding].variable.as_deref()
     }
 
     fn inside(&mut self, surrounding: Surrounding, context: Context) -> Context {
