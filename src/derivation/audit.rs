@@ -5,12 +5,13 @@ mod import;
 mod reader;
 
 use super::diagnostic::{Diagnostic, SourceFile};
+use super::domain::Domain;
 use super::elaboration::Elaborator;
 use super::evaluator::Evaluator;
 use super::explanation::Explanation;
 use super::judge::Judge;
 use super::matching::Matched;
-use super::syntax::Name;
+use super::syntax::{Name, Relation};
 use super::verdict::Claim;
 
 use reader::Reader;
@@ -41,6 +42,10 @@ pub struct Audit {
     pub matchings: Vec<Matched>,
     /// What it wants compiled, in order.
     pub evaluators: Vec<Evaluator>,
+    /// Where its quantities lie in practice.
+    pub domain: Domain,
+    /// What it assumes beside the signs of its quantities, in order.
+    pub assumptions: Vec<Relation>,
     /// The names and the ring that all of this is about.
     pub elaborator: Elaborator,
 }
@@ -92,6 +97,8 @@ pub fn audit(source: &SourceFile, library: &dyn Library) -> Result<Audit, Box<Re
         claims,
         matchings: read.matchings,
         evaluators: reader.evaluators,
+        domain: reader.domain,
+        assumptions: reader.assumptions,
         elaborator: reader.elaborator,
     })
 }

@@ -7,6 +7,7 @@ mod cursor;
 mod declaration_parser;
 pub mod diagnostic;
 pub mod document;
+pub mod domain;
 pub mod elaboration;
 pub mod evaluation;
 pub mod evaluator;

@@ -13,7 +13,7 @@ use super::syntax::{
 use crate::algebra::number::Rational;
 
 /// The words a statement can begin with; anywhere else they are names like others.
-const KEYWORDS: [&str; 15] = [
+const KEYWORDS: [&str; 16] = [
     "parameter",
     "angle",
     "coordinate",
@@ -28,6 +28,7 @@ const KEYWORDS: [&str; 15] = [
     "eigenpair",
     "match",
     "evaluator",
+    "domain",
     "import",
 ];
 
@@ -78,6 +79,7 @@ impl Cursor<'_> {
             "eigenpair" => Self::eigenpair,
             "match" => Self::matching,
             "evaluator" => Self::evaluator,
+            "domain" => |cursor| Ok(StatementKind::Domain(cursor.replacements()?)),
             "import" => Self::import,
             _ => return self.definition_or_unknown_keyword(),
         };

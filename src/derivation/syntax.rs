@@ -331,6 +331,8 @@ pub enum StatementKind {
         /// In words.
         description: Option<String>,
     },
+    /// `domain m = [1, 50], U = [5, 40]`
+    Domain(Vec<Replacement>),
 }
 
 /// What an evaluator computes.

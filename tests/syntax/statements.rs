@@ -142,6 +142,7 @@ fn summary(statement: &Statement) -> String {
         } => {
             format!("substitution {} | {}", name.value.ascii, replacements(all))
         }
+        StatementKind::Domain(all) => format!("domain {}", replacements(all)),
         StatementKind::Assertion {
             expectation,
             label: named,

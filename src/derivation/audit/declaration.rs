@@ -132,6 +132,7 @@ impl Reader<'_> {
             | StatementKind::Assertion { .. }
             | StatementKind::Eigenpair { .. }
             | StatementKind::Match(_)
+            | StatementKind::Domain(_)
             | StatementKind::Evaluator { .. } => Ok(()),
         }
     }

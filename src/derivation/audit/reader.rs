@@ -7,6 +7,7 @@ use crate::algebra::sign::Signs;
 use crate::derivation::assertion::{Assertion, Finding};
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
 use crate::derivation::document::{Document, parse_document_with};
+use crate::derivation::domain::Domain;
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::evaluator::Evaluator;
 use crate::derivation::judge::matching::MatchingCheck;
@@ -31,6 +32,8 @@ pub(super) struct Reader<'a> {
     aliases: Aliases,
     /// What the documents want compiled, imported ones included.
     pub(super) evaluators: Vec<Evaluator>,
+    /// Where the quantities lie in practice.
+    pub(super) domain: Domain,
 }
 
 /// What a document says beyond its declarations.
@@ -53,6 +56,7 @@ impl<'a> Reader<'a> {
             finished: Vec::new(),
             aliases: Aliases::default(),
             evaluators: Vec::new(),
+            domain: Domain::default(),
         }
     }
 
@@ -102,6 +106,9 @@ impl<'a> Reader<'a> {
         if let Some(evaluator) = Evaluator::of(statement, &self.evaluators)? {
             self.evaluators.push(evaluator);
             return Ok(());
+        }
+        if let StatementKind::Domain(stated) = &statement.kind {
+            return self.domain.extend(stated, &mut self.elaborator);
         }
         self.declare(statement)
     }

@@ -125,12 +125,45 @@ impl Elaborator {
         Ok(images)
     }
 
+    /// Whether the document's assumptions admit values.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnostic`] where they do not, or where something is not free to have a value.
+    pub fn admit(&mut self, values: &[Replacement], span: &Span) -> Result<(), Diagnostic> {
+        let outer = std::mem::take(&mut self.conditions);
+        let images = self.images(values);
+        self.conditions = outer;
+        let is_possible = |found: Signs, assumed: Signs| found.intersection(assumed) != Signs::NONE;
+        match self.broken_assumption(&images?, is_possible, span)? {
+            None => Ok(()),
+            Some(assumption) => {
+                let message = format!("this contradicts the assumption {assumption}");
+                let kind = DiagnosticKind::Arguments;
+                Err(Diagnostic::new(kind, span.clone(), message)
+                    .with_label("excluded by the document")
+                    .with_help("give a value that the document's assumptions allow"))
+            }
+        }
+    }
+
     fn read_replacements(
         &mut self,
         replacements: &[Replacement],
         span: &Span,
     ) -> Result<Substitution, Diagnostic> {
         check_replacements(replacements.len(), span)?;
+        let images = self.images(replacements)?;
+        let place = replacements
+            .iter()
+            .find(|replacement| !replacement.value.span.is_empty());
+        let place = place.map_or(span, |replacement| &replacement.value.span);
+        self.respect_assumptions(&images, |signs| signs, place)?;
+        Ok(images)
+    }
+
+    /// The symbols that are replaced, and by what.
+    fn images(&mut self, replacements: &[Replacement]) -> Result<Substitution, Diagnostic> {
         let mut substitution = Substitution::new();
         for Replacement { target, value } in replacements {
             let quantity = self.scalar(target)?;
@@ -153,11 +186,6 @@ impl Elaborator {
                 .with_help("replace it once; replacements in one `at` are carried out together"));
             }
         }
-        let place = replacements
-            .iter()
-            .find(|replacement| !replacement.value.span.is_empty());
-        let place = place.map_or(span, |replacement| &replacement.value.span);
-        self.respect_assumptions(&substitution, |signs| signs, place)?;
         Ok(substitution)
     }
 
@@ -169,7 +197,26 @@ impl Elaborator {
         wanted: fn(Signs) -> Signs,
         place: &Span,
     ) -> Result<(), Diagnostic> {
-        let span = place;
+        let follows = |found: Signs, assumed: Signs| found.is_within(wanted(assumed));
+        let Some(assumption) = self.broken_assumption(substitution, follows, place)? else {
+            return Ok(());
+        };
+        let message = format!("this need not respect the assumption {assumption}");
+        Err(
+            Diagnostic::new(DiagnosticKind::Arguments, place.clone(), message)
+                .with_label("what was found by the assumption may not hold here")
+                .with_help("replace it by something whose sign follows from the declarations"),
+        )
+    }
+
+    /// The first assumption whose signs are not accepted after a substitution, given those that are
+    /// found then and those that are assumed.
+    fn broken_assumption(
+        &mut self,
+        substitution: &Substitution,
+        accepts: impl Fn(Signs, Signs) -> bool,
+        span: &Span,
+    ) -> Result<Option<String>, Diagnostic> {
         let wrap = |error| algebra(error, span);
         let assumed: Vec<(Polynomial, Signs)> = {
             let assumptions = self.ring.assumptions();
@@ -187,19 +234,11 @@ impl Elaborator {
                 continue;
             }
             let found = self.ring.signs(&image).map_err(wrap)?;
-            if !found.is_within(wanted(signs)) {
-                let assumed = self.assumption(&polynomial, signs).map_err(wrap)?;
-                let message = format!("this need not respect the assumption {assumed}");
-                return Err(
-                    Diagnostic::new(DiagnosticKind::Arguments, place.clone(), message)
-                        .with_label("what was found by the assumption may not hold here")
-                        .with_help(
-                            "replace it by something whose sign follows from the declarations",
-                        ),
-                );
+            if !accepts(found, signs) {
+                return self.assumption(&polynomial, signs).map(Some).map_err(wrap);
             }
         }
-        Ok(())
+        Ok(None)
     }
 
     /// What is assumed of a polynomial, as one writes it: `0 < m`, `l < r`.
