@@ -97,7 +97,7 @@ impl Program {
         Some(Node(place as u32))
     }
 
-    /// The operations in order; the first ones give the inputs.
+    /// The operations in order; the first ones give the inputs, unless some were added later.
     pub fn operations(&self) -> &[Operation] {
         &self.operations
     }
@@ -131,6 +131,37 @@ impl Program {
         );
         self.operations.push(operation);
         Node(self.operations.len() as u32 - 1)
+    }
+
+    /// Appends an input.
+    pub fn add_input(&mut self, name: impl Into<String>) -> Node {
+        self.inputs.push(name.into());
+        self.push(Operation::Input(self.inputs.len() as u32 - 1))
+    }
+
+    /// The program with its inputs as the first operations, those of these names in this order before
+    /// all others.
+    #[must_use]
+    pub fn with_inputs_first(&self, order: &[&str]) -> Program {
+        let mut places: Vec<usize> = (0..self.inputs.len()).collect();
+        let rank = |name: &str| order.iter().position(|known| *known == name);
+        places.sort_by_key(|place| rank(&self.inputs[*place]).unwrap_or(order.len()));
+        let mut arranged = Program::new(places.iter().map(|place| self.inputs[*place].clone()));
+        let mut moved = vec![Node(0); places.len()];
+        for (new, old) in places.into_iter().enumerate() {
+            moved[old] = Node(new as u32);
+        }
+        let mut images: Vec<Node> = Vec::with_capacity(self.operations.len());
+        for operation in &self.operations {
+            images.push(match operation {
+                Operation::Input(place) => moved[*place as usize],
+                _ => arranged.push(operation.map(|operand| images[operand.index()])),
+            });
+        }
+        for (name, node) in &self.outputs {
+            arranged.output(name.clone(), images[node.index()]);
+        }
+        arranged
     }
 
     /// Appends a constant.

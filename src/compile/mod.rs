@@ -1,5 +1,7 @@
 //! What a document derives becomes straight-line programs.
 
+pub mod circle;
+pub mod fixed;
 pub mod input;
 pub mod normal_form;
 pub mod polynomial;

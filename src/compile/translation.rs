@@ -1,26 +1,30 @@
 //! Expressions of a document become operations of a program, with the structure that they have there.
 
 mod matrix;
+mod operation;
+mod surrounding;
 
 use std::collections::BTreeMap;
 
-use sextic_codegen::program::{Node, Operation, Program};
+use sextic_codegen::program::{Node, Program};
 
-use crate::algebra::generator::Generator;
+use crate::algebra::matrix::Matrix;
 use crate::algebra::symbol::Symbol;
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::evaluator::Evaluator;
-use crate::derivation::presentation::Presenter;
 use crate::derivation::scope::Meaning;
-use crate::derivation::syntax::{
-    BinaryOperator, Expression, Name, Node as Syntax, Place, Replacement,
-};
+use crate::derivation::syntax::{Expression, Name, Node as Syntax};
 
 use super::input::Input;
 use super::polynomial::Polynomial;
+pub(super) use surrounding::Context;
+use surrounding::{Frame, Surrounding};
+
+/// Longer programs are refused: calls within calls can become very long.
+const OPERATIONS: usize = 100_000;
 
 /// A matrix of polynomials; a scalar has one row and one column.
-pub(super) type Table = Vec<Vec<Polynomial>>;
+pub(super) type Table = Matrix<Polynomial>;
 
 /// Why an expression cannot be translated.
 #[derive(Clone, Debug)]
@@ -49,56 +53,29 @@ pub struct Translated {
 ///
 /// Why no program computes an output.
 pub fn translate(evaluator: &Evaluator, elaborator: &mut Elaborator) -> Result<Translated, String> {
-    // The inputs are known when everything has been translated once.
-    let mut inputs = BTreeMap::new();
-    for _ in 0..2 {
-        let mut translator = Translator::new(elaborator, inputs);
-        translator.outputs(evaluator)?;
-        let Translator { program, found, .. } = translator;
-        if found.len() == program.inputs().len() {
-            let program = sextic_codegen::optimiser::optimise(&program);
-            return Ok(Translated {
-                program,
-                inputs: found.into_iter().collect(),
-            });
-        }
-        inputs = found;
-    }
-    // Unreachable but for a mistake of this program.
-    Err("its inputs change from one translation to the next".into())
-}
-
-/// Where an expression is read: a surrounding and a frame, by their numbers.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Context {
-    surrounding: usize,
-    frame: usize,
-}
-
-/// What symbols stand for in a part of the document.
-#[derive(Clone, Debug, Default)]
-struct Surrounding {
-    /// What replaces symbols, by ASCII name.
-    replaced: BTreeMap<String, Table>,
-    /// The places that do so, the innermost first.
-    places: Vec<Place>,
-    /// The variable whose powers are kept apart, by ASCII name.
-    variable: Option<String>,
-}
-
-/// The arguments of a call, by ASCII name, and the frame in which they are to be read.
-#[derive(Clone, Debug, Default)]
-struct Frame {
-    arguments: BTreeMap<String, Expression>,
-    caller: usize,
+    let mut translator = Translator::new(elaborator);
+    translator.outputs(evaluator)?;
+    let Translator { program, found, .. } = translator;
+    // In the order in which the document declares them.
+    let names: Vec<&str> = found
+        .values()
+        .map(|(_, input)| input.name.as_str())
+        .collect();
+    let inputs = found
+        .iter()
+        .map(|(symbol, (_, input))| (*symbol, input.clone()));
+    Ok(Translated {
+        program: sextic_codegen::optimiser::optimise(&program.with_inputs_first(&names)),
+        inputs: inputs.collect(),
+    })
 }
 
 /// Appends the operations of expressions to a program.
 pub(super) struct Translator<'a> {
     pub(super) elaborator: &'a mut Elaborator,
     pub(super) program: Program,
-    /// The inputs that were needed.
-    pub(super) found: BTreeMap<Symbol, Input>,
+    /// The inputs that were needed, and their values.
+    found: BTreeMap<Symbol, (Node, Input)>,
     surroundings: Vec<Surrounding>,
     frames: Vec<Frame>,
     /// The values of definitions, by surrounding.
@@ -106,11 +83,11 @@ pub(super) struct Translator<'a> {
 }
 
 impl<'a> Translator<'a> {
-    fn new(elaborator: &'a mut Elaborator, inputs: BTreeMap<Symbol, Input>) -> Self {
+    fn new(elaborator: &'a mut Elaborator) -> Self {
         Translator {
-            program: Program::new(inputs.values().map(|input| input.name.clone())),
+            program: Program::default(),
             elaborator,
-            found: inputs,
+            found: BTreeMap::new(),
             surroundings: vec![Surrounding::default()],
             frames: vec![Frame::default()],
             known: BTreeMap::new(),
@@ -128,9 +105,8 @@ impl<'a> Translator<'a> {
                     };
                     format!("{}: {reason}", output.name.unicode)
                 })?;
-            let shape = (table.len(), table.first().map_or(0, Vec::len));
-            let names = entry_names(&output.name.ascii, shape);
-            for (name, entry) in names.into_iter().zip(table.iter().flatten()) {
+            let names = entry_names(&output.name.ascii, table.shape());
+            for (name, entry) in names.into_iter().zip(table.entries()) {
                 let node = match entry.constant() {
                     Some(Some(node)) => node,
                     Some(None) => self.program.constant(0.into()),
@@ -144,21 +120,17 @@ impl<'a> Translator<'a> {
 
     /// The value of an expression: with its structure, or else from its normal form.
     fn table(&mut self, expression: &Expression, context: Context) -> Result<Table, Obstacle> {
+        if self.program.operations().len() > OPERATIONS {
+            let reason = format!("it takes more than {OPERATIONS} operations");
+            return Err(Obstacle::Refused(reason));
+        }
         match self.structure(expression, context) {
             Err(Obstacle::Structure) if !self.names_an_argument(expression, context) => {
                 let value = self
                     .elaborator
                     .value(expression)
                     .map_err(|error| Obstacle::Refused(error.message))?;
-                let mut table = Table::new();
-                for row in 0..value.rows() {
-                    let mut line = Vec::new();
-                    for column in 0..value.columns() {
-                        line.push(self.element(&value.at(row, column).value, context)?);
-                    }
-                    table.push(line);
-                }
-                Ok(table)
+                value.try_map(|entry| self.element(&entry.value, context))
             }
             result => result,
         }
@@ -242,126 +214,27 @@ impl<'a> Translator<'a> {
         }
     }
 
-    /// The value of a symbol of the ring: what the surroundings replace it by, or else an input.
-    pub(super) fn symbol(&mut self, symbol: Symbol, context: Context) -> Result<Node, Obstacle> {
-        let Surrounding {
-            places, variable, ..
-        } = &self.surroundings[context.surrounding];
-        if places.is_empty() {
-            return self.input(symbol);
-        }
-        let Elaborator { ring, scope, .. } = &*self.elaborator;
-        let presenter = Presenter { ring, scope };
-        let mut written = presenter.symbol(symbol).map_err(|_| Obstacle::Structure)?;
-        let value = match ring.generator(symbol) {
-            // What replaces it has a structure to keep.
-            Generator::Constant { .. } | Generator::Angle { .. } => {
-                self.structure(&written, context)?
-            }
-            _ => {
-                let outside = Surrounding {
-                    variable: variable.clone(),
-                    ..Surrounding::default()
-                };
-                for place in places {
-                    let node = Syntax::At(Box::new(written), place.clone());
-                    written = Expression { node, span: 0..0 };
-                }
-                let outside = self.inside(outside, Context::default());
-                let value = self.elaborator.scalar(&written);
-                let value = value.map_err(|error| Obstacle::Refused(error.message))?;
-                scalar(self.element(&value.value, outside)?)
-            }
-        };
-        match value[0][0].constant() {
-            Some(Some(node)) => Ok(node),
-            Some(None) => Ok(self.program.constant(0.into())),
-            None => Err(Obstacle::Structure),
-        }
-    }
-
     /// The node of a symbol that is an input.
     fn input(&mut self, symbol: Symbol) -> Result<Node, Obstacle> {
+        if let Some((node, _)) = self.found.get(&symbol) {
+            return Ok(*node);
+        }
         let Elaborator { ring, scope, .. } = &*self.elaborator;
         let Some(input) = Input::of(symbol, ring, scope) else {
             return Err(Obstacle::Refused(
                 "it contains i, a coordinate or the angle of a vector, which is no input".into(),
             ));
         };
-        let same = |(known, other): (&Symbol, &Input)| *known != symbol && other.name == input.name;
-        if self.found.iter().any(same) {
+        let mut others = self.found.values();
+        if others.any(|(_, other)| other.name == input.name) {
             let name = &input.shown;
             return Err(Obstacle::Refused(format!(
                 "{name} would be an input beside another of its name"
             )));
         }
-        let node = self.program.input(&input.name);
-        self.found.insert(symbol, input);
-        // In the first translation the inputs are only collected.
-        Ok(node.unwrap_or_else(|| self.program.constant(2.into())))
-    }
-
-    fn binary(
-        &mut self,
-        operator: BinaryOperator,
-        left: &Expression,
-        right: &Expression,
-        context: Context,
-    ) -> Result<Table, Obstacle> {
-        if operator == BinaryOperator::Power {
-            return self.power(left, right, context);
-        }
-        let a = self.table(left, context)?;
-        let b = self.table(right, context)?;
-        match operator {
-            BinaryOperator::Add => Ok(self.zip(&a, &b, Polynomial::sum)),
-            BinaryOperator::Subtract => Ok(self.zip(&a, &b, Polynomial::difference)),
-            BinaryOperator::Multiply => Ok(self.product(&a, &b)),
-            BinaryOperator::Divide | BinaryOperator::Power => {
-                let divisor = self.divisor(&b)?;
-                Ok(self.each(&a, |entry, program| entry.quotient(divisor, program)))
-            }
-        }
-    }
-
-    fn power(
-        &mut self,
-        base: &Expression,
-        exponent: &Expression,
-        context: Context,
-    ) -> Result<Table, Obstacle> {
-        let exponent = self.elaborator.scalar(exponent);
-        let exponent = exponent.map_err(|error| Obstacle::Refused(error.message))?;
-        let exponent = exponent.value.as_constant();
-        let whole = exponent.filter(crate::algebra::number::Rational::is_int);
-        let count = whole.and_then(|whole| i32::try_from(whole.numerator().clone()).ok());
-        let Some(count) = count.filter(|count| count.abs() <= 64) else {
-            return Err(Obstacle::Structure);
-        };
-        let table = self.table(base, context)?;
-        if table.len() != 1 || table[0].len() != 1 {
-            return Err(Obstacle::Structure);
-        }
-        let one = self.program.constant(1.into());
-        let mut power = Polynomial::monomial(0, one);
-        for _ in 0..count.unsigned_abs() {
-            power = power.product(&table[0][0], &mut self.program);
-        }
-        if count >= 0 {
-            return Ok(scalar(power));
-        }
-        let divisor = self.divisor(&scalar(power))?;
-        let inverse = self.program.push(Operation::Divide(one, divisor));
-        Ok(scalar(Polynomial::monomial(0, inverse)))
-    }
-
-    /// What is divided by: a value without the variable.
-    fn divisor(&self, table: &Table) -> Result<Node, Obstacle> {
-        let entry = table.first().and_then(|row| row.first());
-        match entry.map(Polynomial::constant) {
-            Some(Some(Some(node))) => Ok(node),
-            _ => Err(Obstacle::Structure),
-        }
+        let node = self.program.add_input(input.name.clone());
+        self.found.insert(symbol, (node, input));
+        Ok(node)
     }
 
     fn call(
@@ -392,63 +265,15 @@ impl<'a> Translator<'a> {
             None => self.built_in(&function.ascii, arguments, context),
         }
     }
-
-    /// The context inside of replacements.
-    fn at(&mut self, at: &Place, context: Context) -> Result<Context, Obstacle> {
-        let (replacements, frame) = match at {
-            Place::Replacements(replacements) => (replacements.clone(), context.frame),
-            Place::Named(name) => {
-                match self
-                    .elaborator
-                    .scope
-                    .get(&name.value)
-                    .map(|entry| &entry.meaning)
-                {
-                    Some(Meaning::Substitution { replacements, .. }) => (replacements.clone(), 0),
-                    _ => return Err(Obstacle::Structure),
-                }
-            }
-        };
-        let mut inside = self.surroundings[context.surrounding].clone();
-        inside.places.insert(0, at.clone());
-        for Replacement { target, value } in &replacements {
-            let Syntax::Name(name) = &target.node else {
-                return Err(Obstacle::Structure);
-            };
-            let value = self.table(value, Context { frame, ..context })?;
-            inside.replaced.insert(name.ascii.clone(), value);
-        }
-        Ok(self.inside(inside, context))
-    }
-
-    /// The context in which the powers of a variable are kept apart.
-    fn with_variable(&mut self, name: &Name, context: Context) -> Result<Context, Obstacle> {
-        let mut inside = self.surroundings[context.surrounding].clone();
-        if inside.variable.is_some() {
-            return Err(Obstacle::Structure);
-        }
-        inside.replaced.remove(&name.ascii);
-        inside.variable = Some(name.ascii.clone());
-        Ok(self.inside(inside, context))
-    }
-
-    /// The variable whose powers are kept apart, by ASCII name.
-    pub(super) fn variable(&self, context: Context) -> Option<&str> {
-        self.surroundings[context.surrounding].variable.as_deref()
-    }
-
-    fn inside(&mut self, surrounding: Surrounding, context: Context) -> Context {
-        self.surroundings.push(surrounding);
-        let surrounding = self.surroundings.len() - 1;
-        Context {
-            surrounding,
-            ..context
-        }
-    }
 }
 
 fn scalar(entry: Polynomial) -> Table {
-    vec![vec![entry]]
+    Matrix::from_fn(1, 1, |_, _| entry.clone())
+}
+
+/// What is divided by: a value without the variable.
+fn divisor(entry: &Polynomial) -> Result<Node, Obstacle> {
+    entry.constant().flatten().ok_or(Obstacle::Structure)
 }
 
 /// `C_a_12` for the entries of a matrix, `x_1` for those of a vector, the name itself for a number.

@@ -1,5 +1,7 @@
 //! Evaluators of documents: translated, emitted, read back and proven.
 
+mod translation;
+
 use sextic::compile::proof::prove;
 use sextic::compile::reading::rust::read;
 use sextic::compile::specification::Specification;

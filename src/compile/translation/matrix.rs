@@ -1,87 +1,118 @@
 //! Matrices of values of a program.
 
-use std::collections::BTreeMap;
+use std::cell::RefCell;
+use std::convert::Infallible;
 
 use sextic_codegen::program::{Operation, Program};
 
+use crate::algebra::arithmetic::Arithmetic;
+use crate::algebra::determinant::determinant;
+use crate::algebra::matrix::Matrix;
 use crate::derivation::syntax::{Expression, Node as Syntax};
 
-use super::{Context, Obstacle, Polynomial, Table, Translator, scalar};
+use super::{Context, Obstacle, Polynomial, Table, Translator, divisor, scalar};
+
+/// Polynomials whose coefficients are values of a program: to compute is to append operations.
+struct Values<'a>(RefCell<&'a mut Program>);
+
+impl Arithmetic for Values<'_> {
+    type Element = Polynomial;
+    type Error = Infallible;
+
+    fn zero(&self) -> Polynomial {
+        Polynomial::default()
+    }
+
+    fn one(&self) -> Polynomial {
+        Polynomial::monomial(0, self.0.borrow_mut().constant(1.into()))
+    }
+
+    fn is_zero(&self, a: &Polynomial) -> bool {
+        a.is_zero()
+    }
+
+    fn sum(&self, a: &Polynomial, b: &Polynomial) -> Result<Polynomial, Infallible> {
+        Ok(a.sum(b, &mut self.0.borrow_mut()))
+    }
+
+    fn negative(&self, a: &Polynomial) -> Polynomial {
+        a.negative(&mut self.0.borrow_mut())
+    }
+
+    fn product(&self, a: &Polynomial, b: &Polynomial) -> Result<Polynomial, Infallible> {
+        Ok(a.product(b, &mut self.0.borrow_mut()))
+    }
+
+    fn difference(&self, a: &Polynomial, b: &Polynomial) -> Result<Polynomial, Infallible> {
+        Ok(a.difference(b, &mut self.0.borrow_mut()))
+    }
+}
 
 impl Translator<'_> {
+    fn values(&mut self) -> Values<'_> {
+        Values(RefCell::new(&mut self.program))
+    }
+
+    /// The image of every entry.
     pub(super) fn each(
         &mut self,
         table: &Table,
         mut image: impl FnMut(&Polynomial, &mut Program) -> Polynomial,
     ) -> Table {
-        let program = &mut self.program;
-        let mut row =
-            |row: &Vec<Polynomial>| row.iter().map(|entry| image(entry, program)).collect();
-        table.iter().map(&mut row).collect()
+        table.map(|entry| image(entry, &mut self.program))
     }
 
+    /// A + B, say.
     pub(super) fn zip(
         &mut self,
         a: &Table,
         b: &Table,
         image: fn(&Polynomial, &Polynomial, &mut Program) -> Polynomial,
-    ) -> Table {
-        let program = &mut self.program;
-        let rows = a.iter().zip(b);
-        rows.map(|(a, b)| a.iter().zip(b).map(|(a, b)| image(a, b, program)).collect())
-            .collect()
+    ) -> Result<Table, Obstacle> {
+        if a.shape() != b.shape() {
+            return Err(Obstacle::Structure);
+        }
+        Ok(Matrix::from_fn(a.rows(), a.columns(), |row, column| {
+            image(a.at(row, column), b.at(row, column), &mut self.program)
+        }))
     }
 
     /// A·B; a scalar multiplies every entry.
-    pub(super) fn product(&mut self, a: &Table, b: &Table) -> Table {
-        let single = |table: &Table| match table.as_slice() {
-            [row] if row.len() == 1 => Some(row[0].clone()),
-            _ => None,
-        };
-        if let Some(factor) = single(a) {
-            return self.each(b, |entry, program| factor.product(entry, program));
+    pub(super) fn product(&mut self, a: &Table, b: &Table) -> Result<Table, Obstacle> {
+        if let [factor] = a.entries() {
+            return Ok(self.each(b, |entry, program| factor.product(entry, program)));
         }
-        if let Some(factor) = single(b) {
-            return self.each(a, |entry, program| entry.product(&factor, program));
+        if let [factor] = b.entries() {
+            return Ok(self.each(a, |entry, program| entry.product(factor, program)));
         }
-        let program = &mut self.program;
-        let columns = b.first().map_or(0, Vec::len);
-        let mut product = Table::new();
-        for row in a {
-            let mut line = Vec::new();
-            for column in 0..columns {
-                let mut sum = Polynomial::default();
-                for (x, below) in row.iter().zip(b) {
-                    if !x.is_zero() && !below[column].is_zero() {
-                        let term = x.product(&below[column], program);
-                        sum = sum.sum(&term, program);
-                    }
-                }
-                line.push(sum);
-            }
-            product.push(line);
+        if a.columns() != b.rows() {
+            return Err(Obstacle::Structure);
         }
-        product
+        let Ok(product) = a.product(b, &self.values());
+        Ok(product)
     }
 
+    /// A matrix of matrices as one.
     pub(super) fn blocks(
         &mut self,
         rows: &[Vec<Expression>],
         context: Context,
     ) -> Result<Table, Obstacle> {
-        let mut table = Table::new();
+        let mut lines: Vec<Vec<Polynomial>> = Vec::new();
         for row in rows {
-            let mut band = Table::new();
+            let above = lines.len();
             for block in row {
                 let block = self.table(block, context)?;
-                band.resize(band.len().max(block.len()), Vec::new());
-                for (line, more) in band.iter_mut().zip(block) {
-                    line.extend(more);
+                lines.resize(lines.len().max(above + block.rows()), Vec::new());
+                for (line, entries) in lines[above..]
+                    .iter_mut()
+                    .zip(block.entries().chunks(block.columns()))
+                {
+                    line.extend_from_slice(entries);
                 }
             }
-            table.extend(band);
         }
-        Ok(table)
+        rectangle(lines)
     }
 
     pub(super) fn entry(
@@ -97,13 +128,15 @@ impl Translator<'_> {
         }
         let (row, column) = match places[..] {
             [row, column] => (row, column),
-            [column] if table.len() == 1 => (1, column),
+            [column] if table.rows() == 1 => (1, column),
             [row] => (row, 1),
             _ => return Err(Obstacle::Structure),
         };
-        let entry = table.get(row.wrapping_sub(1));
-        let entry = entry.and_then(|line| line.get(column.wrapping_sub(1)));
-        entry.cloned().map(scalar).ok_or(Obstacle::Structure)
+        let (rows, columns) = table.shape();
+        match (1..=rows).contains(&row) && (1..=columns).contains(&column) {
+            true => Ok(scalar(table.at(row - 1, column - 1).clone())),
+            false => Err(Obstacle::Structure),
+        }
     }
 
     fn natural(&mut self, expression: &Expression) -> Result<usize, Obstacle> {
@@ -120,36 +153,38 @@ impl Translator<'_> {
     ) -> Result<Table, Obstacle> {
         match (function, arguments) {
             ("sqrt", [square]) => {
-                let square = self.table(square, context)?;
-                let square = self.divisor(&square)?;
+                let square = self.single(square, context)?;
+                let square = divisor(&square)?;
                 let root = self.program.push(Operation::SquareRoot(square));
                 Ok(scalar(Polynomial::monomial(0, root)))
             }
             ("det", [matrix]) => {
                 let matrix = self.table(matrix, context)?;
-                Ok(scalar(self.determinant(&matrix)))
+                self.determinant(&matrix)
             }
-            ("transpose", [matrix]) => {
-                let matrix = self.table(matrix, context)?;
-                let columns = matrix.first().map_or(0, Vec::len);
-                let column = |place: usize| matrix.iter().map(|row| row[place].clone()).collect();
-                Ok((0..columns).map(column).collect())
-            }
+            ("transpose", [matrix]) => Ok(self.table(matrix, context)?.transpose()),
             ("trace", [matrix]) => {
                 let matrix = self.table(matrix, context)?;
-                let mut sum = Polynomial::default();
-                for (place, row) in matrix.iter().enumerate() {
-                    sum = sum.sum(&row[place], &mut self.program);
-                }
-                Ok(scalar(sum))
+                let values = self.values();
+                let diagonal = (0..matrix.rows().min(matrix.columns())).map(|at| matrix.at(at, at));
+                let Ok(trace) = diagonal.fold(Ok(values.zero()), |sum, entry| {
+                    let Ok(sum) = sum;
+                    values.sum(&sum, entry)
+                });
+                Ok(scalar(trace))
             }
             ("diagonal", entries) => {
-                let mut table = vec![vec![Polynomial::default(); entries.len()]; entries.len()];
-                for (index, entry) in entries.iter().enumerate() {
-                    let entry = self.table(entry, context)?;
-                    table[index][index] = entry[0][0].clone();
+                let mut diagonal = Vec::new();
+                for entry in entries {
+                    diagonal.push(self.single(entry, context)?);
                 }
-                Ok(table)
+                let size = diagonal.len();
+                Ok(Matrix::from_fn(size, size, |row, column| {
+                    match row == column {
+                        true => diagonal[row].clone(),
+                        false => Polynomial::default(),
+                    }
+                }))
             }
             ("coefficient", [polynomial, variable, power]) => {
                 let Syntax::Name(variable) = &variable.node else {
@@ -157,8 +192,7 @@ impl Translator<'_> {
                 };
                 let power = self.natural(power)? as u32;
                 let inside = self.with_variable(variable, context)?;
-                let polynomial = self.table(polynomial, inside)?;
-                let coefficient = polynomial[0][0].coefficient(power);
+                let coefficient = self.single(polynomial, inside)?.coefficient(power);
                 let coefficient = coefficient.map(|node| Polynomial::monomial(0, node));
                 Ok(scalar(coefficient.unwrap_or_default()))
             }
@@ -168,63 +202,58 @@ impl Translator<'_> {
                 };
                 let size = self.natural(size)?;
                 let inside = self.with_variable(variable, context)?;
-                let polynomial = self.table(polynomial, inside)?;
-                let matrix = hurwitz_matrix(&polynomial[0][0], size);
-                Ok(scalar(self.determinant(&matrix)))
+                let polynomial = self.single(polynomial, inside)?;
+                if size == 0 {
+                    return Err(Obstacle::Structure);
+                }
+                self.determinant(&hurwitz_matrix(&polynomial, size))
             }
             _ => Err(Obstacle::Structure),
         }
     }
 
     /// |A| by expansion along the rows, each minor of the last rows computed once.
-    fn determinant(&mut self, matrix: &Table) -> Polynomial {
-        let columns: Vec<usize> = (0..matrix.len()).collect();
-        self.minor(matrix, &columns, &mut BTreeMap::new())
+    fn determinant(&mut self, matrix: &Table) -> Result<Table, Obstacle> {
+        if !matrix.is_square() {
+            return Err(Obstacle::Structure);
+        }
+        let Ok(value) = determinant(matrix, &self.values());
+        Ok(scalar(value))
     }
 
-    fn minor(
+    /// The value of an expression with one entry.
+    pub(super) fn single(
         &mut self,
-        matrix: &Table,
-        columns: &[usize],
-        known: &mut BTreeMap<Vec<usize>, Polynomial>,
-    ) -> Polynomial {
-        if let Some(known) = known.get(columns) {
-            return known.clone();
+        expression: &Expression,
+        context: Context,
+    ) -> Result<Polynomial, Obstacle> {
+        match self.table(expression, context)?.entries() {
+            [entry] => Ok(entry.clone()),
+            _ => Err(Obstacle::Structure),
         }
-        let row = &matrix[matrix.len() - columns.len()];
-        if let [column] = columns {
-            return row[*column].clone();
-        }
-        let mut sum = Polynomial::default();
-        for (place, column) in columns.iter().enumerate() {
-            if row[*column].is_zero() {
-                continue;
-            }
-            let others = [&columns[..place], &columns[place + 1..]].concat();
-            let minor = self.minor(matrix, &others, known);
-            let term = row[*column].product(&minor, &mut self.program);
-            sum = match place % 2 {
-                0 => sum.sum(&term, &mut self.program),
-                _ => sum.difference(&term, &mut self.program),
-            };
-        }
-        known.insert(columns.to_vec(), sum.clone());
-        sum
     }
+}
+
+/// Lines of one length as a matrix.
+fn rectangle(lines: Vec<Vec<Polynomial>>) -> Result<Table, Obstacle> {
+    let columns = lines.first().map_or(0, Vec::len);
+    if columns == 0 || lines.iter().any(|line| line.len() != columns) {
+        return Err(Obstacle::Structure);
+    }
+    Ok(Matrix::from_fn(lines.len(), columns, |row, column| {
+        lines[row][column].clone()
+    }))
 }
 
 /// The leading principal part of Hurwitz' matrix of a polynomial.
 fn hurwitz_matrix(polynomial: &Polynomial, size: usize) -> Table {
     let degree = polynomial.degree() as usize;
-    let entry = |row: usize, column: usize| {
+    Matrix::from_fn(size, size, |row, column| {
         let index = (2 * column + 1)
             .checked_sub(row)
             .filter(|index| *index <= degree);
         let node = index.and_then(|index| polynomial.coefficient((degree - index) as u32));
         node.map(|node| Polynomial::monomial(0, node))
             .unwrap_or_default()
-    };
-    (0..size)
-        .map(|row| (0..size).map(|column| entry(row, column)).collect())
-        .collect()
+    })
 }

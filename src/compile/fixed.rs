@@ -1,0 +1,125 @@
+//! Quantities that are given a number once and for all.
+
+use std::str::FromStr;
+
+use crate::algebra::number::{Integer, Rational};
+
+/// A quantity and its number: `r = 0.0178`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fixed {
+    /// The ASCII name of the quantity.
+    pub name: String,
+    /// The number, exactly as it is written.
+    pub value: Rational,
+    /// How it is written.
+    pub text: String,
+}
+
+/// Why a text fixes nothing.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unfixed {
+    /// There is no `=` in it, or nothing before it.
+    Form,
+    /// What stands behind the `=` is no number.
+    Number(String),
+}
+
+impl FromStr for Fixed {
+    type Err = Unfixed;
+
+    fn from_str(text: &str) -> Result<Self, Unfixed> {
+        let (name, number) = text.split_once('=').ok_or(Unfixed::Form)?;
+        let (name, number) = (name.trim(), number.trim());
+        if name.is_empty() {
+            return Err(Unfixed::Form);
+        }
+        let value = number_of(number).ok_or_else(|| Unfixed::Number(number.to_string()))?;
+        Ok(Fixed {
+            name: name.to_string(),
+            value,
+            text: number.to_string(),
+        })
+    }
+}
+
+/// The exact value of a decimal number such as `-0.0178` or `1e-3`, or of a fraction of such numbers.
+pub fn number_of(text: &str) -> Option<Rational> {
+    match text.split_once('/') {
+        None => signed(text),
+        Some((above, below)) => {
+            let (above, below) = (signed(above.trim())?, decimal(below.trim())?);
+            (!below.is_zero()).then(|| above / below)
+        }
+    }
+}
+
+fn signed(text: &str) -> Option<Rational> {
+    match text.strip_prefix('-') {
+        Some(text) => decimal(text).map(|value| -value),
+        None => decimal(text.strip_prefix('+').unwrap_or(text)),
+    }
+}
+
+/// The exact value of a decimal number without a sign.
+pub(super) fn decimal(text: &str) -> Option<Rational> {
+    /// Numbers beyond the doubles are of no use.
+    const PLACES: u32 = 400;
+    let (mantissa, exponent) = match text.split_once(['e', 'E']) {
+        Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),
+        None => (text, 0),
+    };
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let digits = format!("{whole}{fraction}");
+    let is_number = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
+    if !is_number || digits.len() > PLACES as usize {
+        return None;
+    }
+    let value = Rational::from(digits.parse::<Integer>().ok()?);
+    let places = exponent.checked_sub(i32::try_from(fraction.len()).ok()?)?;
+    if places.unsigned_abs() > PLACES {
+        return None;
+    }
+    let scale = Rational::from(Integer::from(10).pow(places.unsigned_abs() as usize));
+    Some(if places < 0 {
+        value / scale
+    } else {
+        value * scale
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_exact() {
+        for (text, above, below) in [
+            ("0.0178", 178, 10_000),
+            ("-3/7", -3, 7),
+            ("1e-3", 1, 1000),
+            ("+2.5E1", 25, 1),
+            ("1.5/0.5", 3, 1),
+            ("7", 7, 1),
+        ] {
+            let expected = Rational::from(above) / Rational::from(below);
+            assert_eq!(number_of(text), Some(expected), "{text}");
+        }
+        for text in [
+            "", "-", "1,5", "1/0", "1/-2", "0x10", "1e999", "nan", "1 2", "--1", "1_000",
+        ] {
+            assert_eq!(number_of(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_name_and_a_number_are_wanted() {
+        let fixed: Fixed = "r = 1/3".parse().expect("it fixes r");
+        assert_eq!((fixed.name.as_str(), fixed.text.as_str()), ("r", "1/3"));
+        assert_eq!("r".parse::<Fixed>(), Err(Unfixed::Form));
+        assert_eq!("=3".parse::<Fixed>(), Err(Unfixed::Form));
+        assert_eq!(
+            "r=x".parse::<Fixed>(),
+            Err(Unfixed::Number("x".to_string()))
+        );
+    }
+}
