@@ -1,12 +1,15 @@
 //! What is known of a function that is to be written: everything that a template places.
 
-use serde::Serialize;
+mod origin;
+
+pub use origin::{Angle, Circular, Fixed, Function, Input, Origin};
 
 use crate::cost::Cost;
+use crate::optimiser::hoist::{Hoisted, hoist};
 use crate::program::Program;
 
 /// An input or an output.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Quantity {
     /// Its name in the program: ASCII, an identifier.
     pub name: String,
@@ -32,7 +35,7 @@ impl Quantity {
 }
 
 /// How far the strict evaluation was from the exact one, as measured.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Rounding {
     /// Over how many points.
     pub points: usize,
@@ -40,10 +43,13 @@ pub struct Rounding {
     pub domain: String,
     /// Of each output, the largest error in units in the last place of the exact value.
     pub largest: Vec<f64>,
+    /// Of each output, what the error exceeds at one point of a hundred. Where an output crosses zero its
+    /// largest error says little.
+    pub percentile_99: Vec<f64>,
 }
 
 /// A function that is to be written in some language.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Evaluator {
     /// Its name: ASCII, an identifier in snake case.
     pub name: String,
@@ -56,13 +62,16 @@ pub struct Evaluator {
     /// Where the equations stand; may be empty.
     pub source: String,
     /// The inputs in the order of the program.
-    pub inputs: Vec<Quantity>,
+    pub inputs: Vec<Input>,
+    /// The angles whose sines and cosines are inputs.
+    pub angles: Vec<Angle>,
     /// The outputs in the order of the program.
     pub outputs: Vec<Quantity>,
+    /// What the derivation assumes, each as text.
+    pub assumptions: Vec<String>,
     /// When the result means something, each as text.
     pub conditions: Vec<String>,
     /// What is computed.
-    #[serde(skip)]
     pub program: Program,
     /// The command that writes it.
     pub command: String,
@@ -86,12 +95,14 @@ impl Evaluator {
             description: String::new(),
             equations: Vec::new(),
             source: String::new(),
-            inputs: program.inputs().iter().map(Quantity::plain).collect(),
+            inputs: program.inputs().iter().map(Input::plain).collect(),
+            angles: Vec::new(),
             outputs: program
                 .outputs()
                 .iter()
                 .map(|(name, _)| Quantity::plain(name))
                 .collect(),
+            assumptions: Vec::new(),
             conditions: Vec::new(),
             program,
             command: String::new(),
@@ -105,5 +116,31 @@ impl Evaluator {
     /// What it costs.
     pub fn cost(&self) -> Cost {
         Cost::of(&self.program)
+    }
+
+    /// The inputs that the caller gives at every point, in order.
+    pub fn free_inputs(&self) -> impl Iterator<Item = &Input> {
+        self.inputs.iter().filter(|input| input.fixed().is_none())
+    }
+
+    /// The program in two parts: what rests on fixed inputs alone, and what is computed at each point.
+    pub fn hoisted(&self) -> Hoisted {
+        let names = self.free_inputs().map(|input| input.quantity.name.clone());
+        hoist(&self.program, &names.collect())
+    }
+
+    /// The angles that inputs which are not fixed are made of, in order.
+    pub fn open_angles(&self) -> impl Iterator<Item = &Angle> {
+        let is_open = |angle: &&Angle| {
+            let circular = self.inputs.iter().filter_map(Input::circular);
+            let mut parts = circular.flat_map(|circular| &circular.angle);
+            parts.any(|(_, name)| *name == angle.quantity.name)
+        };
+        self.angles.iter().filter(is_open)
+    }
+
+    /// The angle of this name.
+    pub fn angle(&self, name: &str) -> Option<&Angle> {
+        self.angles.iter().find(|angle| angle.quantity.name == name)
     }
 }

@@ -29,12 +29,14 @@ fn compiles_without_a_warning_and_gives_the_same_bits() {
         .arg("-I")
         .arg(&folder)
         .arg(data.join("consumer.c"));
-        for name in ["determinant", "match", "quadratic_form"] {
+        for name in ["determinant", "match", "quadratic_form", "rod"] {
             gcc.arg(folder.join(format!("{name}.c")));
         }
         consumer::run(gcc.arg("-o").arg(&program).arg("-lm"), "");
-        let answers = consumer::run(&mut Command::new(program), &consumer::questions());
+        let answers = consumer::run(&mut Command::new(&program), &consumer::questions());
         consumer::check(&answers, true);
+        let angles = consumer::questions_of_angles();
+        consumer::check_angles(&consumer::run(&mut Command::new(&program), &angles));
     }
 }
 
@@ -45,7 +47,7 @@ fn the_headers_are_also_cpp() {
     }
     let folder = consumer::folder("cpp");
     consumer::write(&folder, Language::C);
-    for name in ["determinant", "match", "quadratic_form"] {
+    for name in ["determinant", "match", "quadratic_form", "rod"] {
         let mut command = Command::new("g++");
         command.args(["-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-x", "c++"]);
         consumer::run(command.arg(folder.join(format!("{name}.h"))), "");

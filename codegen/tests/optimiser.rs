@@ -249,9 +249,9 @@ fn horner_and_powers_need_few_operations() {
 }
 
 /// A program of three inputs from numbers: each step takes earlier values.
-fn drawn() -> impl Strategy<Value = Program> {
+pub fn drawn() -> impl Strategy<Value = Program> {
     let step = (
-        0..7_u8,
+        0..8_u8,
         any::<prop::sample::Index>(),
         any::<prop::sample::Index>(),
         -3..4_i64,
@@ -270,6 +270,7 @@ fn drawn() -> impl Strategy<Value = Program> {
                 3 => Multiply(a, b),
                 4 => Divide(a, b),
                 5 => Negative(a),
+                6 => SquareRoot(a),
                 _ => Operation::Constant(rational(number, 2)),
             });
         }

@@ -29,9 +29,13 @@ fn one_file_a_language() {
         (Language::Rust, "lib.rs"),
         (Language::Rust, "match_.rs"),
         (Language::Rust, "quadratic_form.rs"),
+        (Language::Rust, "rod.rs"),
         (Language::C, "match.c"),
         (Language::C, "quadratic_form.h"),
+        (Language::C, "rod.h"),
+        (Language::C, "rod.c"),
         (Language::Python, "match_.py"),
+        (Language::Python, "rod.py"),
         (Language::Python, "__init__.py"),
     ] {
         locked(&format!("{language}-{path}"), text(language, path));
@@ -62,7 +66,9 @@ fn nothing_that_a_document_says_leaves_its_comment() {
     evaluator.document = nasty.into();
     evaluator.hash = nasty.into();
     evaluator.proof = Some(nasty.into());
-    for quantity in evaluator.inputs.iter_mut().chain(&mut evaluator.outputs) {
+    let inputs = evaluator.inputs.iter_mut();
+    let inputs = inputs.map(|input| &mut input.quantity);
+    for quantity in inputs.chain(&mut evaluator.outputs) {
         quantity.unit = nasty.into();
         quantity.symbol = nasty.into();
         quantity.description = nasty.into();
@@ -118,7 +124,7 @@ fn what_cannot_be_written_is_an_error() {
         Evaluator::plain("f", program)
     };
     let mut other = program(&["a"], &["b"]);
-    other.inputs[0].name = "c".into();
+    other.inputs[0].quantity.name = "c".into();
     let mut named = program(&["a"], &["b"]);
     named.name = "../f".into();
     for language in Language::ALL {

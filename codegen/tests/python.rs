@@ -15,11 +15,14 @@ fn scalars_and_arrays_give_the_same_bits() {
     let folder = consumer::folder("python");
     consumer::write(&folder.join("evaluators"), Language::Python);
     let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/consumer.py");
-    let mut python = Command::new("python3");
-    python
-        .args(["-B", "-W", "error"])
-        .arg(program)
-        .env("PYTHONPATH", &folder);
-    let answers = consumer::run(&mut python, &consumer::questions());
-    consumer::check(&answers, false);
+    let answer = |questions: &str| {
+        let mut python = Command::new("python3");
+        python
+            .args(["-B", "-W", "error"])
+            .arg(&program)
+            .env("PYTHONPATH", &folder);
+        consumer::run(&mut python, questions)
+    };
+    consumer::check(&answer(&consumer::questions()), false);
+    consumer::check_angles(&answer(&consumer::questions_of_angles()));
 }

@@ -33,6 +33,10 @@ fn build(name: &str) -> Command {
 fn scalars_bounds_and_batches_agree_at_every_level() {
     let answers = consumer::run(&mut build("rust-std"), &consumer::questions());
     consumer::check(&answers, true);
+    let mut cargo = Command::new(
+        Path::new(env!("CARGO_TARGET_TMPDIR")).join("rust-std/target/release/sextic-evaluators"),
+    );
+    consumer::check_angles(&consumer::run(&mut cargo, &consumer::questions_of_angles()));
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! Evaluators written by hand, with everything that a printer can meet.
 
-use sextic_codegen::evaluator::{Evaluator, Quantity, Rounding};
+use sextic_codegen::evaluator::{
+    Angle, Circular, Evaluator, Fixed, Function, Input, Origin, Quantity, Rounding,
+};
 use sextic_codegen::optimiser::optimise;
 use sextic_codegen::program::{Node, Operation, Program, Rational};
 
@@ -46,19 +48,22 @@ pub fn quadratic_form() -> Evaluator {
     program.output("value", value);
     program.output("slope", slope);
     let mut evaluator = Evaluator::plain("quadratic_form", optimise(&program));
-    evaluator.title = "A quadratic form and half its slope".into();
+    evaluator.title = "a quadratic form and half its slope".into();
     evaluator.description = "The form x² a/3 + x y b − y² c/2 with a coefficient that is no double, \
         so that one constant is a quotient. The word */ does not end a comment of C, nor does \"\"\" end \
         a text of Python, and [brackets] are no link."
         .into();
     evaluator.equations = vec!["1".into(), "2".into()];
     evaluator.source = "Written by hand for the tests".into();
-    evaluator.inputs[3] = Quantity {
+    evaluator.inputs[3].quantity = Quantity {
         name: "x".into(),
         symbol: "ξ".into(),
         unit: "m".into(),
         description: "the first coordinate".into(),
     };
+    evaluator.inputs[4].quantity.unit = "1".into();
+    evaluator.inputs[4].quantity.description = "x axis, y axis: no words begin here".into();
+    evaluator.assumptions = vec!["b > 0".into()];
     evaluator.conditions = vec!["a ≠ 0".into()];
     evaluator.command = "sextic generate samples.md --out DIR --language rust".into();
     evaluator.document = "samples.md".into();
@@ -67,7 +72,8 @@ pub fn quadratic_form() -> Evaluator {
     evaluator.rounding = Some(Rounding {
         points: 1000,
         domain: "the unit cube".into(),
-        largest: vec![12.5, 0.75],
+        largest: vec![12.5e7, 0.75],
+        percentile_99: vec![9.25, 0.5],
     });
     evaluator
 }
@@ -136,7 +142,112 @@ pub fn awkward() -> Evaluator {
     evaluator
 }
 
+/// A rod that is turned: fixed numbers and angles, sines and cosines of sums, what rests on constants
+/// alone.
+pub fn rod() -> Evaluator {
+    let mut program = named(&[
+        "r",
+        "L",
+        "cos_alpha_g",
+        "cos_alpha_g_plus_theta_0",
+        "k",
+        "sin_alpha_g_plus_theta_0",
+        "cos_2_beta_minus_theta_0",
+    ]);
+    let [r, length, turn, cosine, k, sine, other] = inputs(&program)[..] else {
+        panic!("seven inputs");
+    };
+    let one = program.constant(rational(1, 1));
+    let across = program.push(Multiply(length, cosine));
+    let along = program.push(Multiply(length, sine));
+    let root = program.push(SquareRoot(r));
+    let above = program.push(Multiply(root, turn));
+    let below = program.push(Add(r, one));
+    let scale = program.push(Divide(above, below));
+    let reach = program.push(Multiply(scale, across));
+    let last = program.push(Multiply(k, r));
+    let reach = program.push(Subtract(reach, last));
+    let below = program.push(Add(scale, k));
+    let height = program.push(Divide(along, below));
+    let last = program.push(Multiply(scale, other));
+    let height = program.push(Add(height, last));
+    program.output("reach", reach);
+    program.output("height", height);
+    program.output("scale", scale);
+    program.output("ratio", k);
+
+    let mut evaluator = Evaluator::plain("rod", optimise(&program));
+    evaluator.title = "where a turned rod ends".into();
+    let angle = |name: &str, symbol: &str, description: &str, fixed| Angle {
+        quantity: Quantity {
+            name: name.into(),
+            symbol: symbol.into(),
+            unit: "rad".into(),
+            description: description.into(),
+        },
+        fixed,
+    };
+    let fixed = |value: &str, text: &str| Fixed {
+        value: value.parse().unwrap(),
+        text: text.into(),
+    };
+    let turn = fixed("3/10", "α_g = 0.3");
+    evaluator.angles = vec![
+        angle("alpha_g", "α_g", "angle of the mass centre", Some(turn)),
+        angle("theta_0", "θ_0", "turn of the section at rest", None),
+        angle("beta", "β", "", None),
+        angle("unused", "unused", "", None),
+    ];
+    let circular = |function, parts: &[(i32, &str)]| {
+        let parts = parts
+            .iter()
+            .map(|(count, name)| (*count, (*name).to_owned()));
+        Origin::Circular(Circular {
+            function,
+            angle: parts.collect(),
+        })
+    };
+    // cos(0.3), closer than 2^-100.
+    let cosine = "955336489125606019642310227568049898440/1000000000000000000000000000000000000000";
+    let sum = [(1, "alpha_g"), (1, "theta_0")];
+    let origins = [
+        ("r", "1", Origin::Fixed(fixed("89/5000", "r = 0.0178"))),
+        ("L", "m", Origin::Given),
+        (
+            "cos(α_g)",
+            "1",
+            Origin::Fixed(fixed(cosine, "cos(α_g) at α_g = 0.3")),
+        ),
+        ("cos(α_g + θ_0)", "1", circular(Function::Cosine, &sum)),
+        ("k", "", Origin::Fixed(fixed("-1/3", "k = -1/3"))),
+        ("sin(α_g + θ_0)", "1", circular(Function::Sine, &sum)),
+        (
+            "cos(2·β − θ_0)",
+            "1",
+            circular(Function::Cosine, &[(2, "beta"), (-1, "theta_0")]),
+        ),
+    ];
+    for (input, (symbol, unit, origin)) in evaluator.inputs.iter_mut().zip(origins) {
+        input.quantity.symbol = symbol.into();
+        input.quantity.unit = unit.into();
+        input.origin = origin;
+    }
+    evaluator.inputs[0].quantity.description = "radius of gyration".into();
+    evaluator.assumptions = vec!["L > 0".into()];
+    evaluator
+}
+
+/// The values of all inputs where the free ones have these.
+pub fn with_fixed(evaluator: &Evaluator, free: &[f64]) -> Vec<f64> {
+    let mut free = free.iter();
+    let value = |input: &Input| match input.fixed() {
+        Some(fixed) => fixed.value.to_f64().value(),
+        None => *free.next().expect("a value for each free input"),
+    };
+    evaluator.inputs.iter().map(value).collect()
+}
+
 /// All of them.
 pub fn all() -> Vec<Evaluator> {
-    vec![quadratic_form(), determinant(), awkward()]
+    vec![quadratic_form(), determinant(), awkward(), rod()]
 }

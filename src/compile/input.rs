@@ -1,5 +1,7 @@
 //! The inputs of programs: what is free in a document.
 
+use sextic_codegen::evaluator::{Angle as EmittedAngle, Circular, Function, Origin, Quantity};
+
 use crate::algebra::angle::Angle;
 use crate::algebra::generator::Generator;
 use crate::algebra::ring::Ring;
@@ -22,6 +24,10 @@ pub struct Input {
     pub unit: Unit,
     /// In words.
     pub description: Option<String>,
+    /// Where its value comes from.
+    pub origin: Origin,
+    /// The angles that it is the sine or cosine of.
+    pub angles: Vec<EmittedAngle>,
 }
 
 impl Input {
@@ -40,10 +46,12 @@ impl Input {
                     shown: entry.name.unicode.clone(),
                     unit,
                     description: entry.description.clone(),
+                    origin: Origin::Given,
+                    angles: Vec::new(),
                 })
             }
-            Generator::Cosine { angle } => circular("cos", angle, ring, scope),
-            Generator::Sine { angle } => circular("sin", angle, ring, scope),
+            Generator::Cosine { angle } => circular(Function::Cosine, angle, ring, scope),
+            Generator::Sine { angle } => circular(Function::Sine, angle, ring, scope),
             Generator::FunctionValue { name, order, .. } => {
                 let entry = scope.get(&Name::new(name))?;
                 let Meaning::Function { unit, .. } = &entry.meaning else {
@@ -56,6 +64,8 @@ impl Input {
                     shown: Notation::Unicode.expression(&shown),
                     unit: unit.clone(),
                     description: entry.description.clone(),
+                    origin: Origin::Given,
+                    angles: Vec::new(),
                 })
             }
             Generator::Coordinate { .. }
@@ -67,35 +77,56 @@ impl Input {
 }
 
 /// The sine or cosine of a sum of declared angles.
-fn circular(function: &str, angle: &Angle, ring: &Ring, scope: &Scope) -> Option<Input> {
-    let mut parts = Vec::new();
-    let mut shown = Vec::new();
+fn circular(function: Function, angle: &Angle, ring: &Ring, scope: &Scope) -> Option<Input> {
+    let (mut name, mut shown) = (String::new(), String::new());
+    let (mut sum, mut angles) = (Vec::new(), Vec::new());
     for (symbol, count) in angle.coefficients() {
-        let Generator::Angle { name } = ring.generator(symbol) else {
+        let Generator::Angle { name: own } = ring.generator(symbol) else {
             return None;
         };
-        let entry = scope.get(&Name::new(name))?;
-        let written = count.to_string();
-        match written.as_str() {
-            "1" => {
-                parts.push(entry.name.ascii.clone());
-                shown.push(entry.name.unicode.clone());
+        let entry = scope.get(&Name::new(own))?;
+        let (ascii, unicode) = (&entry.name.ascii, &entry.name.unicode);
+        let count = i32::try_from(count).ok()?;
+        let (word, sign) = match (sum.is_empty(), count < 0) {
+            (true, false) => ("", ""),
+            (true, true) => ("minus_", "−"),
+            (false, false) => ("_plus_", " + "),
+            (false, true) => ("_minus_", " − "),
+        };
+        match count.unsigned_abs() {
+            1 => {
+                name.push_str(&format!("{word}{ascii}"));
+                shown.push_str(&format!("{sign}{unicode}"));
             }
-            _ => {
-                parts.push(format!(
-                    "{}_{}",
-                    written.replace('-', "minus_"),
-                    entry.name.ascii
-                ));
-                shown.push(format!("{written}·{}", entry.name.unicode));
+            times => {
+                name.push_str(&format!("{word}{times}_{ascii}"));
+                shown.push_str(&format!("{sign}{times}·{unicode}"));
             }
         }
+        sum.push((count, ascii.clone()));
+        angles.push(EmittedAngle {
+            quantity: Quantity {
+                name: ascii.clone(),
+                symbol: unicode.clone(),
+                unit: "rad".to_string(),
+                description: entry.description.clone().unwrap_or_default(),
+            },
+            fixed: None,
+        });
     }
-    let shown = format!("{function}({})", shown.join(" + "));
+    let function_name = match function {
+        Function::Cosine => "cos",
+        Function::Sine => "sin",
+    };
     Some(Input {
-        name: format!("{function}_{}", parts.join("_plus_")),
-        description: None,
-        shown,
+        name: format!("{function_name}_{name}"),
+        shown: format!("{function_name}({shown})"),
         unit: Unit::one(),
+        description: None,
+        origin: Origin::Circular(Circular {
+            function,
+            angle: sum,
+        }),
+        angles,
     })
 }

@@ -1,6 +1,6 @@
 //! What an evaluator of a document is to compute, and the program that is to compute it.
 
-use sextic_codegen::evaluator::{Evaluator as Emitted, Quantity};
+use sextic_codegen::evaluator::{Angle, Evaluator as Emitted, Input as EmittedInput, Quantity};
 
 use crate::algebra::fraction::Fraction;
 use crate::derivation::audit::Audit;
@@ -90,9 +90,11 @@ impl Specification {
                 inputs: translated
                     .inputs
                     .iter()
-                    .map(|(_, input)| quantity(input))
+                    .map(|(_, input)| emitted(input))
                     .collect(),
+                angles: angles(translated.inputs.iter().map(|(_, input)| input)),
                 outputs: shown,
+                assumptions: Vec::new(),
                 conditions: conditions.iter().map(written).collect(),
                 program: translated.program,
                 command: command.to_string(),
@@ -114,11 +116,25 @@ fn written(condition: &Condition) -> String {
     }
 }
 
-fn quantity(input: &Input) -> Quantity {
-    Quantity {
-        name: input.name.clone(),
-        symbol: input.shown.clone(),
-        unit: input.unit.to_string(),
-        description: input.description.clone().unwrap_or_default(),
+fn emitted(input: &Input) -> EmittedInput {
+    EmittedInput {
+        quantity: Quantity {
+            name: input.name.clone(),
+            symbol: input.shown.clone(),
+            unit: input.unit.to_string(),
+            description: input.description.clone().unwrap_or_default(),
+        },
+        origin: input.origin.clone(),
     }
+}
+
+/// The angles of all inputs, each once.
+fn angles<'a>(inputs: impl Iterator<Item = &'a Input>) -> Vec<Angle> {
+    let mut angles: Vec<Angle> = Vec::new();
+    for angle in inputs.flat_map(|input| &input.angles) {
+        if !angles.contains(angle) {
+            angles.push(angle.clone());
+        }
+    }
+    angles
 }

@@ -1,164 +1,30 @@
 //! C99: a header and a source for each evaluator.
 
+mod reserved;
+
 use std::collections::BTreeSet;
 
 use serde::Serialize;
 
+use super::body::{self, Ingredients};
 use super::documentation::{self, Comments};
+use super::door::{Door, Source};
 use super::literal::Decimal;
-use super::statements::{self, Binding, Body, Notation, Sign, Text};
+use super::notation::{Binding, Notation, Sign, Text, infix, plain_literal, prefix};
+use super::statements::{self, Body};
 use super::{Error, Field, File, Named, render};
-use crate::evaluator::Evaluator;
-use crate::optimiser::prune::prune;
+use crate::evaluator::{Evaluator, Function};
+use reserved::{FUNCTIONS, RESERVED};
 
 const HEADER: &str = include_str!("../../templates/c/header.h.tera");
 const SOURCE: &str = include_str!("../../templates/c/source.c.tera");
 const BOUNDED: &str = include_str!("../../templates/c/sextic_bounded.h");
 
-/// Keywords of C up to 2023 and of C++ (the header is for both), and macros that a compiler or the
-/// included headers define.
-const RESERVED: [&str; 128] = [
-    "EOF",
-    "HUGE_VAL",
-    "I",
-    "INFINITY",
-    "NAN",
-    "NULL",
-    "_Bool",
-    "alignas",
-    "alignof",
-    "and",
-    "and_eq",
-    "asm",
-    "auto",
-    "bitand",
-    "bitor",
-    "bool",
-    "break",
-    "case",
-    "catch",
-    "char",
-    "char16_t",
-    "char32_t",
-    "char8_t",
-    "class",
-    "co_await",
-    "co_return",
-    "co_yield",
-    "compl",
-    "complex",
-    "concept",
-    "const",
-    "const_cast",
-    "consteval",
-    "constexpr",
-    "constinit",
-    "continue",
-    "decltype",
-    "default",
-    "delete",
-    "do",
-    "double",
-    "dynamic_cast",
-    "else",
-    "enum",
-    "errno",
-    "explicit",
-    "export",
-    "extern",
-    "fabs",
-    "false",
-    "float",
-    "for",
-    "fortran",
-    "friend",
-    "goto",
-    "i386",
-    "if",
-    "imaginary",
-    "inline",
-    "inputs",
-    "int",
-    "isfinite",
-    "isnan",
-    "linux",
-    "long",
-    "math_errhandling",
-    "mutable",
-    "namespace",
-    "new",
-    "nextafter",
-    "noexcept",
-    "noreturn",
-    "not",
-    "not_eq",
-    "nullptr",
-    "offsetof",
-    "operator",
-    "or",
-    "or_eq",
-    "outputs",
-    "private",
-    "protected",
-    "public",
-    "register",
-    "reinterpret_cast",
-    "requires",
-    "restrict",
-    "return",
-    "sextic_bounded",
-    "sextic_exact",
-    "short",
-    "signbit",
-    "signed",
-    "size_t",
-    "sizeof",
-    "sqrt",
-    "static",
-    "static_assert",
-    "static_cast",
-    "struct",
-    "switch",
-    "template",
-    "this",
-    "thread_local",
-    "throw",
-    "true",
-    "try",
-    "typedef",
-    "typeid",
-    "typename",
-    "typeof",
-    "typeof_unqual",
-    "union",
-    "unix",
-    "unsigned",
-    "using",
-    "virtual",
-    "void",
-    "volatile",
-    "wchar_t",
-    "while",
-    "xor",
-    "xor_eq",
-    "sextic_add",
-    "sextic_divide",
-    "sextic_multiply",
-    "sextic_negative",
-    "sextic_subtract",
-];
-
-/// Functions that a program has already.
-const FUNCTIONS: [&str; 32] = [
-    "abs", "acos", "asin", "atan", "cbrt", "ceil", "cos", "cosh", "erf", "exp", "floor", "fma",
-    "fmax", "fmin", "fmod", "frexp", "gamma", "hypot", "j0", "j1", "ldexp", "log", "main", "modf",
-    "pow", "round", "sin", "sinh", "tan", "tanh", "y0", "y1",
-];
-
 const COMMENTS: Comments = Comments {
     prose: harmless,
     code: harmless,
     heading: |heading| format!("{heading}:"),
+    constants: "which the compiler does once",
 };
 
 /// Neither begins nor ends a comment, and is no trigraph.
@@ -176,15 +42,15 @@ impl Notation for Infix {
     const WIDTH: usize = 72;
 
     fn literal(&self, decimal: &Decimal) -> Text {
-        statements::plain_literal(decimal)
+        plain_literal(decimal)
     }
 
     fn binary(&self, sign: Sign, left: &Text, right: &Text) -> Text {
-        statements::infix(sign, left, right)
+        infix(sign, left, right)
     }
 
     fn negative(&self, operand: &Text) -> Text {
-        statements::prefix(operand)
+        prefix(operand)
     }
 
     fn square_root(&self, operand: &Text) -> Text {
@@ -235,6 +101,9 @@ struct Module {
     outputs: Vec<Field>,
     body: Vec<String>,
     bounded_body: Vec<String>,
+    /// Empty where no input is a sine or cosine.
+    angles: Vec<Field>,
+    at_angles: Vec<String>,
     documentation: Vec<String>,
 }
 
@@ -254,10 +123,12 @@ pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
     for named in &all {
         for suffix in [
             "",
+            "_angles",
             "_batch",
             "_body",
             "_bounds",
             "_inputs",
+            "_inputs_at",
             "_outputs",
             "_slices",
             "_slices_mut",
@@ -283,30 +154,42 @@ pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
 }
 
 fn module(evaluator: &Evaluator, named: &Named) -> Result<Module, Error> {
-    let program = prune(&evaluator.program);
-    let names = &named.inputs.names;
-    let used = super::used(evaluator, &program, names);
+    let ingredients = Ingredients::of(evaluator, named)?;
+    let (program, names) = (&ingredients.program, &named.inputs.names);
 
-    let infix = statements::statements(&program, names, &named.values, &Infix)?;
-    let opening = used
-        .iter()
-        .map(|name| format!("const double {name} = inputs->{name};"));
-    let mut body: Vec<String> = opening.collect();
+    let infix = statements::statements(program, names, &named.values, &Infix)?;
+    let read = ingredients.read.iter();
+    let mut body: Vec<String> = read
+        .map(|name| format!("const double {name} = inputs->{name};"))
+        .collect();
+    let fixed = ingredients.fixed.iter();
+    body.extend(fixed.map(|(name, number)| format!("const double {name} = {};", number.text)));
     body.extend(lines("double", &infix));
     body.extend(result(&named.function, "outputs", named, &infix));
 
-    let calls = statements::statements(&program, names, &named.values, &Calls)?;
-    let opening = used
-        .iter()
-        .map(|name| format!("const sextic_bounded {name} = sextic_exact(inputs->{name});"));
-    let mut bounded_body: Vec<String> = opening.collect();
+    let calls = statements::statements(program, names, &named.values, &Calls)?;
+    let bounded =
+        |name: &str, text: &str| format!("const sextic_bounded {name} = sextic_exact({text});");
+    let read = ingredients.read.iter();
+    let mut bounded_body: Vec<String> = read
+        .map(|name| bounded(name, &format!("inputs->{name}")))
+        .collect();
+    let fixed = ingredients.fixed.iter();
+    bounded_body.extend(fixed.map(|(name, number)| bounded(name, &number.text)));
     bounded_body.extend(lines("sextic_bounded", &calls));
     bounded_body.extend(result(&named.function, "bounds", named, &calls));
 
+    let door = Door::of(evaluator, named, &RESERVED, &COMMENTS)?;
+    let at_angles = door
+        .as_ref()
+        .map(|door| conversion(&named.function, door))
+        .unwrap_or_default();
+    let mut angles = door.map(|door| door.fields).unwrap_or_default();
     let (mut inputs, mut outputs) = named.fields(evaluator, &COMMENTS);
-    for field in inputs.iter_mut().chain(&mut outputs) {
+    for field in inputs.iter_mut().chain(&mut outputs).chain(&mut angles) {
         field.documentation = block(&field.documentation);
     }
+    let parts = body::parts(evaluator, named)?;
     Ok(Module {
         header: super::spaced(super::header(evaluator, &COMMENTS)),
         guard: format!("SEXTIC_{}_H", named.function.to_ascii_uppercase()),
@@ -315,13 +198,29 @@ fn module(evaluator: &Evaluator, named: &Named) -> Result<Module, Error> {
         outputs,
         body,
         bounded_body,
-        documentation: super::spaced(documentation::function(
-            evaluator,
-            names,
-            &named.outputs.names,
-            &COMMENTS,
-        )),
+        angles,
+        at_angles,
+        documentation: super::spaced(documentation::function(evaluator, &parts, &COMMENTS)),
     })
+}
+
+/// The body of the function that takes angles.
+fn conversion(function: &str, door: &Door) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for name in &door.angles {
+        lines.push(format!("const double {name} = angles->{name};"));
+    }
+    for (name, number) in &door.fixed {
+        lines.push(format!("const double {name} = {};", number.text));
+    }
+    lines.push(format!("return ({function}_inputs){{"));
+    lines.extend(door.inputs.iter().map(|(name, source)| match source {
+        Source::Given(field) => format!("    .{name} = angles->{field},"),
+        Source::Circular(Function::Cosine, angle) => format!("    .{name} = cos({}),", angle.text),
+        Source::Circular(Function::Sine, angle) => format!("    .{name} = sin({}),", angle.text),
+    }));
+    lines.push("};".to_owned());
+    lines
 }
 
 fn lines(kind: &str, body: &Body) -> Vec<String> {

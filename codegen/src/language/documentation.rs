@@ -1,9 +1,13 @@
 //! What every emitted function says of itself.
 
-use crate::evaluator::{Evaluator, Quantity, Rounding};
+mod sentence;
 
-/// Lines are no longer than this, before the marks of a comment.
-const WIDTH: usize = 92;
+pub use sentence::flat;
+use sentence::{capital, listed, sentence, wrapped};
+
+use super::literal::Decimal;
+use crate::cost::Cost;
+use crate::evaluator::{Evaluator, Fixed, Input, Quantity, Rounding};
 
 /// How a language's comments are written.
 #[derive(Clone, Copy, Debug)]
@@ -14,115 +18,92 @@ pub struct Comments {
     pub code: fn(&str) -> String,
     /// A heading.
     pub heading: fn(&str) -> String,
+    /// What becomes of operations on constants alone.
+    pub constants: &'static str,
 }
 
 impl Comments {
-    /// Prose on lines of its own.
-    pub fn paragraph(&self, text: &str) -> Vec<String> {
-        wrapped(&(self.prose)(text), "", "")
-    }
-
     fn code(&self, text: &str) -> String {
         // A backtick would end it.
         format!("`{}`", (self.code)(&flat(text)).replace('`', "'"))
     }
+
+    fn prose(&self, text: &str) -> String {
+        (self.prose)(text)
+    }
 }
 
-/// A text as one line without control characters: what a document says never ends a comment by a line
-/// break.
-pub fn flat(text: &str) -> String {
-    let words: Vec<&str> = text
-        .split(|letter: char| letter.is_whitespace() || letter.is_control())
-        .filter(|word| !word.is_empty())
-        .collect();
-    words.join(" ")
-}
-
-/// Words on lines that are not too long.
-fn wrapped(text: &str, first: &str, next: &str) -> Vec<String> {
-    let mut lines = Vec::new();
-    let mut line = first.to_owned();
-    let mut empty = true;
-    for word in flat(text).split(' ').filter(|word| !word.is_empty()) {
-        let long = line.chars().count() + 1 + word.chars().count() > WIDTH;
-        if long && !empty {
-            lines.push(std::mem::replace(&mut line, next.to_owned()));
-            empty = true;
-        }
-        if !empty {
-            line.push(' ');
-        }
-        line.push_str(word);
-        empty = false;
+/// What a quantity is, without its name: description, symbol, unit.
+fn quantity(what: &Quantity, comments: &Comments) -> String {
+    let mut parts = Vec::new();
+    let description = flat(&what.description);
+    let description = description.trim_end_matches('.');
+    let symbol = (what.symbol != what.name).then(|| comments.prose(&flat(&what.symbol)));
+    match (description.is_empty(), symbol) {
+        (false, Some(symbol)) => parts.push(format!(
+            "{} ({symbol})",
+            comments.prose(&capital(description))
+        )),
+        (false, None) => parts.push(comments.prose(&capital(description))),
+        (true, Some(symbol)) => parts.push(symbol),
+        (true, None) => {}
     }
-    if !empty {
-        lines.push(line);
+    match what.unit.as_str() {
+        // 0 has any unit.
+        "" if parts.is_empty() => parts.push("no unit".to_owned()),
+        "" => {}
+        "1" => parts.push("dimensionless".to_owned()),
+        unit => parts.push(format!("in {}", comments.code(unit))),
     }
-    lines
-}
-
-/// What a quantity is, without its name: symbol, unit, description.
-pub fn quantity(quantity: &Quantity, comments: &Comments) -> String {
-    let unit = match quantity.unit.is_empty() {
-        true => "no unit".to_owned(),
-        false => format!("in {}", comments.code(&quantity.unit)),
-    };
-    let mut text = match quantity.symbol == quantity.name {
-        true => unit,
-        false => format!("{}, {unit}", (comments.prose)(&quantity.symbol)),
-    };
-    if !quantity.description.is_empty() {
-        text.push_str(": ");
-        text.push_str(&(comments.prose)(&quantity.description));
+    if let ([only], true) = (parts.as_mut_slice(), description.is_empty()) {
+        *only = capital(only);
     }
-    flat(&text)
+    parts.join(", ")
 }
 
 /// The lines that describe one field of a structure.
-pub fn field(what: &Quantity, renamed: bool, comments: &Comments) -> Vec<String> {
+pub fn field(what: &Quantity, name: &str, comments: &Comments) -> Vec<String> {
     let mut text = quantity(what, comments);
-    if renamed {
+    if name != what.name {
         text.push_str(&format!(
             "; called {} in the document, which is no safe name here",
             comments.code(&what.name)
         ));
     }
-    // A sentence begins with a capital letter, unless that would change a symbol.
-    if what.symbol == what.name && text.starts_with("no unit") {
-        text.replace_range(0..1, "N");
-    } else if what.symbol == what.name {
-        text.replace_range(0..1, "I");
-    }
     wrapped(&format!("{text}."), "", "")
 }
 
-/// The first line: what is computed, and by which equation.
+/// The first sentence: what is computed, and by which equation.
 pub fn title(evaluator: &Evaluator, comments: &Comments) -> String {
-    let title = flat(&(comments.prose)(&evaluator.title));
+    let title = comments.prose(&capital(&evaluator.title));
     let title = title.trim_end_matches('.');
-    match evaluator.equations.as_slice() {
+    let number = |number: &String| format!("({})", comments.prose(&flat(number)));
+    let numbers: Vec<String> = evaluator.equations.iter().map(number).collect();
+    match numbers.as_slice() {
         [] => format!("{title}."),
-        [one] => format!("{title}, Eq. ({}).", flat(&(comments.prose)(one))),
-        several => {
-            let numbers: Vec<String> = several
-                .iter()
-                .map(|number| format!("({})", flat(&(comments.prose)(number))))
-                .collect();
-            format!("{title}, Eqs. {}.", numbers.join(", "))
-        }
+        [one] => format!("{title}, Eq. {one}."),
+        several => format!("{title}, Eqs. {}.", several.join(", ")),
     }
 }
 
+/// The first sentence, on lines.
+pub fn opening(evaluator: &Evaluator, comments: &Comments) -> Vec<String> {
+    wrapped(&title(evaluator, comments), "", "")
+}
+
+/// The names and numbers that a language gives the parts of an evaluator.
+pub struct Parts<'a> {
+    /// The inputs that are asked for.
+    pub inputs: Vec<(&'a str, &'a Input)>,
+    /// The inputs and angles that are fixed, and the numbers that are written for them.
+    pub fixed: Vec<(&'a str, &'a Quantity, &'a Fixed, Decimal)>,
+    /// The outputs.
+    pub outputs: &'a [String],
+}
+
 /// The whole documentation of a function.
-///
-/// `inputs` and `outputs` are the names in the language.
-pub fn function(
-    evaluator: &Evaluator,
-    inputs: &[String],
-    outputs: &[String],
-    comments: &Comments,
-) -> Vec<String> {
-    let mut lines = wrapped(&title(evaluator, comments), "", "");
+pub fn function(evaluator: &Evaluator, parts: &Parts<'_>, comments: &Comments) -> Vec<String> {
+    let mut lines = opening(evaluator, comments);
     let mut paragraph = |heading: Option<&str>, body: Vec<String>| {
         if !body.is_empty() {
             lines.push(String::new());
@@ -133,32 +114,27 @@ pub fn function(
             lines.extend(body);
         }
     };
-    paragraph(None, comments.paragraph(&evaluator.description));
+    let description = comments.prose(&sentence(&evaluator.description));
+    paragraph(None, wrapped(&description, "", ""));
     if !evaluator.source.is_empty() {
-        let source = format!("Source: {}", (comments.prose)(&evaluator.source));
-        paragraph(None, wrapped(&source, "", ""));
+        let source = format!("Source: {}", flat(&evaluator.source));
+        paragraph(None, wrapped(&comments.prose(&sentence(&source)), "", ""));
     }
-    let listed = |quantities: &[Quantity], names: &[String]| -> Vec<String> {
-        let items = names.iter().zip(quantities);
-        items
-            .flat_map(|(name, what)| {
-                let text = format!("`{name}`: {}", quantity(what, comments));
-                wrapped(&text, "- ", "  ")
-            })
-            .collect()
-    };
-    paragraph(Some("Inputs"), listed(&evaluator.inputs, inputs));
-    paragraph(Some("Outputs"), listed(&evaluator.outputs, outputs));
+    let item = |name: &str, what: &Quantity| format!("`{name}`: {}.", quantity(what, comments));
+    let inputs = parts.inputs.iter();
+    let inputs = inputs.map(|(name, input)| item(name, &input.quantity));
+    paragraph(Some("Inputs"), listed(inputs));
+    paragraph(Some("Fixed"), fixed(parts, comments));
+    let outputs = parts.outputs.iter().zip(&evaluator.outputs);
+    let outputs = outputs.map(|(name, what)| item(name, what));
+    paragraph(Some("Outputs"), listed(outputs));
     paragraph(Some("Conditions"), conditions(evaluator, comments));
-    let cost = format!("{}.", evaluator.cost());
+    let cost = cost(evaluator, comments);
     paragraph(Some("Cost"), wrapped(&cost, "", ""));
-    let proof = match &evaluator.proof {
-        Some(proof) => (comments.prose)(proof),
-        None => "Nothing is proven of this text.".to_owned(),
-    };
+    let proof = comments.prose(&proof(evaluator));
     paragraph(Some("Proof"), wrapped(&proof, "", ""));
     let rounding = match &evaluator.rounding {
-        Some(rounding) => measured(rounding, outputs, comments),
+        Some(rounding) => measured(rounding, parts.outputs, comments),
         None => vec!["Not measured.".to_owned()],
     };
     paragraph(Some("Rounding"), rounding);
@@ -166,54 +142,133 @@ pub fn function(
     lines
 }
 
-fn conditions(evaluator: &Evaluator, comments: &Comments) -> Vec<String> {
-    if evaluator.conditions.is_empty() {
-        return wrapped("None was used in the derivation.", "", "");
+fn fixed(parts: &Parts<'_>, comments: &Comments) -> Vec<String> {
+    if parts.fixed.is_empty() {
+        return Vec::new();
     }
+    let item = |(name, what, fixed, decimal): &(&str, &Quantity, &Fixed, Decimal)| {
+        let code = format!("{name} = {}", decimal.text);
+        let mut text = format!("{}: {}.", comments.code(&code), quantity(what, comments));
+        if flat(&fixed.text) != code {
+            let fixed = comments.prose(&flat(&fixed.text));
+            text.push_str(&format!(" It stands for {fixed}."));
+        }
+        text
+    };
     let mut lines = wrapped(
-        "Valid where all of these hold; elsewhere a result may be infinite, NaN or without meaning:",
+        "These are no inputs. They are taken as the doubles that are written here, also in the bounds of \
+         the rounding error:",
         "",
         "",
     );
     lines.push(String::new());
-    for condition in &evaluator.conditions {
-        lines.extend(wrapped(&comments.code(condition), "- ", "  "));
+    lines.extend(listed(parts.fixed.iter().map(item)));
+    lines
+}
+
+fn conditions(evaluator: &Evaluator, comments: &Comments) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut list = |text: &str, items: &[String]| {
+        if !lines.is_empty() {
+            lines.push(String::new());
+        }
+        lines.extend(wrapped(text, "", ""));
+        if !items.is_empty() {
+            lines.push(String::new());
+            lines.extend(listed(items.iter().map(|item| comments.code(item))));
+        }
+    };
+    let (assumptions, conditions) = (&evaluator.assumptions, &evaluator.conditions);
+    if !assumptions.is_empty() {
+        list("The derivation assumes:", assumptions);
+    }
+    match (assumptions.is_empty(), conditions.is_empty()) {
+        (_, false) => list(
+            "Valid where all of these hold; elsewhere a result may be infinite, NaN or without meaning:",
+            conditions,
+        ),
+        (false, true) => list("It needs no further condition.", &[]),
+        (true, true) => list(
+            "No assumption and no condition is recorded; inputs without physical meaning are not \
+             refused.",
+            &[],
+        ),
     }
     lines
 }
 
-fn measured(rounding: &Rounding, outputs: &[String], comments: &Comments) -> Vec<String> {
-    let mut lines = wrapped(
-        &format!(
-            "Largest error of the strict evaluation in units in the last place, measured against \
-             exact rational arithmetic at {} points drawn from {}:",
-            rounding.points,
-            (comments.prose)(&rounding.domain)
+fn cost(evaluator: &Evaluator, comments: &Comments) -> String {
+    let hoisted = evaluator.hoisted();
+    match Cost::of(&hoisted.preparation).total() {
+        0 => format!("{}.", evaluator.cost()),
+        once => format!(
+            "{} at each point, and {once} on constants alone, {}.",
+            Cost::of(&hoisted.sweep),
+            comments.constants
         ),
-        "",
-        "",
-    );
-    lines.push(String::new());
-    for (name, largest) in outputs.iter().zip(&rounding.largest) {
-        lines.push(format!("- `{name}`: {largest:.2}"));
     }
+}
+
+fn proof(evaluator: &Evaluator) -> String {
+    let proof = evaluator.proof.as_deref().unwrap_or_default();
+    match flat(proof).is_empty() {
+        true => "Nothing is proven of this text.".to_owned(),
+        false => sentence(proof),
+    }
+}
+
+/// A number of units: two places, or powers of ten where an output crosses zero.
+fn units(number: f64) -> String {
+    match number < 1000.0 {
+        true => format!("{number:.2}"),
+        false => format!("{number:.1e}"),
+    }
+}
+
+fn measured(rounding: &Rounding, outputs: &[String], comments: &Comments) -> Vec<String> {
+    let text = format!(
+        "Error of the strict evaluation in units in the last place of the exact value, measured with \
+         exact arithmetic at {} points drawn from {}:",
+        rounding.points,
+        comments.prose(&flat(&rounding.domain))
+    );
+    let mut lines = wrapped(&text, "", "");
+    lines.push(String::new());
+    let errors = rounding.largest.iter().zip(&rounding.percentile_99);
+    let errors = outputs.iter().zip(errors).map(|(name, (largest, most))| {
+        let (largest, most) = (units(*largest), units(*most));
+        format!("`{name}`: at most {largest}; at 99 of 100 points at most {most}.")
+    });
+    lines.extend(listed(errors));
     lines
+}
+
+/// In short, what is proven and measured.
+pub fn summary(evaluator: &Evaluator, comments: &Comments) -> Vec<String> {
+    let rounding = match &evaluator.rounding {
+        Some(rounding) => {
+            let most = |errors: &[f64]| units(errors.iter().copied().fold(0.0, f64::max));
+            format!(
+                "largest error {} units in the last place; at 99 of 100 points at most {}.",
+                most(&rounding.largest),
+                most(&rounding.percentile_99)
+            )
+        }
+        None => "not measured.".to_owned(),
+    };
+    listed([
+        format!("Proof: {}", comments.prose(&proof(evaluator))),
+        format!("Rounding: {rounding}"),
+    ])
 }
 
 /// Which command made it from which document.
 pub fn origin(evaluator: &Evaluator, comments: &Comments) -> Vec<String> {
-    let mut lines = Vec::new();
-    if !evaluator.command.is_empty() {
-        let text = format!("Command: {}", comments.code(&evaluator.command));
-        lines.extend(wrapped(&text, "- ", "  "));
-    }
-    if !evaluator.document.is_empty() {
-        let text = format!("Document: {}", comments.code(&evaluator.document));
-        lines.extend(wrapped(&text, "- ", "  "));
-    }
-    if !evaluator.hash.is_empty() {
-        let text = format!("Hash of the document: {}", comments.code(&evaluator.hash));
-        lines.extend(wrapped(&text, "- ", "  "));
-    }
-    lines
+    let parts = [
+        ("Command", &evaluator.command),
+        ("Document", &evaluator.document),
+        ("Hash of the document", &evaluator.hash),
+    ];
+    let known = parts.into_iter().filter(|(_, text)| !text.is_empty());
+    listed(known.map(|(what, text)| format!("{what}: {}", comments.code(text))))
 }

@@ -39,6 +39,17 @@ impl Decimal {
         self.value < 0.0
     }
 
+    /// The shortest decimal that a compiler takes for the double next to a number; none if that is
+    /// infinite, or 0 for another number.
+    pub fn nearest(value: &Rational) -> Option<Self> {
+        let double = value.to_f64().value();
+        let known = double.is_finite() && (double != 0.0 || value.is_zero());
+        known.then(|| Decimal {
+            text: format!("{double:?}"),
+            value: double,
+        })
+    }
+
     fn of(value: &Rational) -> Option<Self> {
         let double = value.to_f64().value();
         let exact = double.is_finite() && Rational::try_from(double).ok()? == *value;

@@ -2,10 +2,15 @@
 //!
 //! A printer turns operations into statements; a template only places them.
 
+mod body;
 pub mod c;
 pub mod documentation;
+mod door;
+mod error;
 pub mod literal;
+mod named;
 pub mod names;
+pub mod notation;
 pub mod python;
 pub mod rust;
 pub mod statements;
@@ -15,10 +20,10 @@ use std::str::FromStr;
 
 use serde::Serialize;
 
-use crate::evaluator::{Evaluator, Quantity};
-use crate::program::{Operation, Program};
+use crate::evaluator::{Angle, Evaluator, Input};
 use documentation::Comments;
-use names::Names;
+pub use error::Error;
+use named::{Field, Named};
 
 /// What source text can be written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -81,57 +86,6 @@ pub struct File {
     pub text: String,
 }
 
-/// Why nothing can be written.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Error {
-    /// A name is no ASCII identifier.
-    Name(String),
-    /// A name occurs twice among the inputs, the outputs or the evaluators.
-    Twice(String),
-    /// A constant is beyond the doubles.
-    Constant(String),
-    /// The quantities of an evaluator are not those of its program.
-    Quantities(String),
-    /// An evaluator has no input or no output left.
-    Nothing(String),
-    /// A template failed: a bug.
-    Template(String),
-}
-
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Error::Name(name) => write!(
-                f,
-                "{name:?} is no name in an emitted text: it needs a letter of ASCII first, then \
-                 letters, digits and _"
-            ),
-            Error::Twice(name) => write!(f, "the name {name:?} occurs twice"),
-            Error::Constant(value) => {
-                let digits = value.len();
-                match digits > 40 {
-                    true => write!(
-                        f,
-                        "a constant of {digits} digits is beyond the range of a double"
-                    ),
-                    false => write!(f, "the constant {value} is beyond the range of a double"),
-                }
-            }
-            Error::Quantities(name) => write!(
-                f,
-                "the quantities of the evaluator {name} are not the inputs and outputs of its program"
-            ),
-            Error::Nothing(name) => write!(
-                f,
-                "the evaluator {name} has no input or no output left; there is nothing to compute"
-            ),
-            Error::Template(message) => write!(f, "a template failed: {message}"),
-        }
-    }
-}
-
-impl std::error::Error for Error {}
-
 /// Writes evaluators in a language; files come in the order of their paths.
 ///
 /// # Errors
@@ -152,85 +106,39 @@ pub fn emit(evaluators: &[Evaluator], language: Language) -> Result<Vec<File>, E
 
 fn check(evaluator: &Evaluator) -> Result<(), Error> {
     let program = &evaluator.program;
-    let inputs = evaluator.inputs.iter().map(|quantity| &quantity.name);
+    let inputs = evaluator.inputs.iter().map(|input| &input.quantity.name);
     let outputs = evaluator.outputs.iter().map(|quantity| &quantity.name);
+    let count = evaluator.outputs.len();
     let same = inputs.eq(program.inputs())
         && outputs.eq(program.outputs().iter().map(|(name, _)| name))
-        && evaluator
-            .rounding
-            .as_ref()
-            .is_none_or(|rounding| rounding.largest.len() == evaluator.outputs.len());
-    if !same {
+        && evaluator.rounding.as_ref().is_none_or(|rounding| {
+            rounding.largest.len() == count && rounding.percentile_99.len() == count
+        });
+    if !same || !has_its_angles(evaluator) {
         return Err(Error::Quantities(evaluator.name.clone()));
     }
-    if evaluator.inputs.is_empty() || evaluator.outputs.is_empty() {
+    if evaluator.free_inputs().next().is_none() || evaluator.outputs.is_empty() {
         return Err(Error::Nothing(evaluator.name.clone()));
     }
     Ok(())
 }
 
-/// A field of a structure, as a template places it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-struct Field {
-    name: String,
-    documentation: Vec<String>,
-}
-
-/// The names of an evaluator in a language.
-struct Named {
-    function: String,
-    inputs: Names,
-    outputs: Names,
-    /// What the values of the outputs are called in the body, where that name is free.
-    values: Vec<Option<String>>,
-}
-
-impl Named {
-    /// Of each evaluator.
-    ///
-    /// `modules` are names that only an evaluator must not have.
-    fn all(
-        evaluators: &[Evaluator],
-        reserved: &[&str],
-        modules: &[&str],
-    ) -> Result<Vec<Self>, Error> {
-        let forbidden: Vec<&str> = reserved.iter().chain(modules).copied().collect();
-        let functions = evaluators.iter().map(|evaluator| evaluator.name.as_str());
-        let functions = names::safe(functions, &forbidden)?.names;
-        let pairs = evaluators.iter().zip(functions);
-        pairs
-            .map(|(evaluator, function)| Named::of(evaluator, function, reserved))
-            .collect()
-    }
-
-    fn of(evaluator: &Evaluator, function: String, reserved: &[&str]) -> Result<Self, Error> {
-        let inputs = evaluator.inputs.iter().map(|what| what.name.as_str());
-        let outputs = evaluator.outputs.iter().map(|what| what.name.as_str());
-        let inputs = names::safe(inputs, reserved)?;
-        let outputs = names::safe(outputs, reserved)?;
-        let free = |name: &String| (!inputs.names.contains(name)).then(|| name.clone());
-        Ok(Named {
-            function,
-            values: outputs.names.iter().map(free).collect(),
-            inputs,
-            outputs,
-        })
-    }
-
-    fn fields(&self, evaluator: &Evaluator, comments: &Comments) -> (Vec<Field>, Vec<Field>) {
-        let field = |name: &String, what: &Quantity| Field {
-            name: name.clone(),
-            documentation: documentation::field(what, *name != what.name, comments),
-        };
-        let of = |names: &Names, quantities: &[Quantity]| {
-            let pairs = names.names.iter().zip(quantities);
-            pairs.map(|(name, what)| field(name, what)).collect()
-        };
-        (
-            of(&self.inputs, &evaluator.inputs),
-            of(&self.outputs, &evaluator.outputs),
-        )
-    }
+/// Whether every angle of a circular input is known, and none is both fixed and asked for.
+fn has_its_angles(evaluator: &Evaluator) -> bool {
+    let mut parts = evaluator
+        .inputs
+        .iter()
+        .filter_map(Input::circular)
+        .flat_map(|circular| &circular.angle);
+    let asked = |name: &str| {
+        let mut names = evaluator.free_inputs().map(|input| &input.quantity.name);
+        names.any(|input| input == name)
+    };
+    let consistent = |name: &str, angle: &Angle| angle.fixed.is_none() || !asked(name);
+    parts.all(|(_, name)| {
+        let angle = evaluator.angle(name);
+        angle.is_some_and(|angle| consistent(name, angle))
+    })
 }
 
 /// Places strings in a template. The names of templates end in none of those that are escaped.
@@ -262,28 +170,6 @@ fn commands(evaluators: &[Evaluator]) -> Vec<String> {
     commands
 }
 
-/// The names of the inputs that a program uses.
-fn used<'a>(evaluator: &Evaluator, program: &Program, names: &'a [String]) -> Vec<&'a String> {
-    let operations = program.operations();
-    let mut used = vec![false; operations.len()];
-    for node in operations
-        .iter()
-        .flat_map(Operation::operands)
-        .chain(program.outputs().iter().map(|(_, node)| *node))
-    {
-        used[node.index()] = true;
-    }
-    let inputs = names.iter().zip(&evaluator.inputs);
-    inputs
-        .filter(|(_, what)| {
-            program
-                .input(&what.name)
-                .is_some_and(|node| used[node.index()])
-        })
-        .map(|(name, _)| name)
-        .collect()
-}
-
 /// A comment's lines: a space before those that are not empty.
 fn spaced(lines: Vec<String>) -> Vec<String> {
     let space = |line: String| match line.is_empty() {
@@ -295,12 +181,11 @@ fn spaced(lines: Vec<String>) -> Vec<String> {
 
 /// The first lines of a file.
 fn header(evaluator: &Evaluator, comments: &Comments) -> Vec<String> {
-    let mut lines = vec![documentation::title(evaluator, comments), String::new()];
+    let mut lines = documentation::opening(evaluator, comments);
+    lines.push(String::new());
     lines.push("Generated by sextic from a derivation: do not edit.".to_owned());
-    let origin = documentation::origin(evaluator, comments);
-    if !origin.is_empty() {
-        lines.push(String::new());
-        lines.extend(origin);
-    }
+    lines.push(String::new());
+    lines.extend(documentation::summary(evaluator, comments));
+    lines.extend(documentation::origin(evaluator, comments));
     lines
 }

@@ -2,13 +2,15 @@
 
 use serde::Serialize;
 
+use super::body::{self, Ingredients};
 use super::documentation::{self, Comments};
+use super::door::{Door, Source};
 use super::literal::Decimal;
 use super::names::camel_case;
-use super::statements::{self, Binding, Notation, Sign, Text};
+use super::notation::{Binding, Notation, Sign, Text, infix, plain_literal, prefix};
+use super::statements;
 use super::{Error, Field, File, Named, commands, render};
-use crate::evaluator::Evaluator;
-use crate::optimiser::prune::prune;
+use crate::evaluator::{Evaluator, Function};
 
 const MODULE: &str = include_str!("../../templates/python/module.py.tera");
 const PACKAGE: &str = include_str!("../../templates/python/__init__.py.tera");
@@ -68,6 +70,7 @@ const COMMENTS: Comments = Comments {
     prose: harmless,
     code: harmless,
     heading: |heading| format!("{heading}:"),
+    constants: "which are done once a call",
 };
 
 /// Does not end a text, and escapes nothing.
@@ -83,15 +86,15 @@ impl Notation for Numpy {
     const WIDTH: usize = 72;
 
     fn literal(&self, decimal: &Decimal) -> Text {
-        statements::plain_literal(decimal)
+        plain_literal(decimal)
     }
 
     fn binary(&self, sign: Sign, left: &Text, right: &Text) -> Text {
-        statements::infix(sign, left, right)
+        infix(sign, left, right)
     }
 
     fn negative(&self, operand: &Text) -> Text {
-        statements::prefix(operand)
+        prefix(operand)
     }
 
     fn square_root(&self, operand: &Text) -> Text {
@@ -101,13 +104,15 @@ impl Notation for Numpy {
 
 #[derive(Serialize)]
 struct Module {
-    title: String,
-    origin: Vec<String>,
+    header: Vec<String>,
     function: String,
     camel: String,
     inputs: Vec<Field>,
     outputs: Vec<Field>,
     body: Vec<String>,
+    /// Empty where no input is a sine or cosine.
+    angles: Vec<Field>,
+    at_angles: Vec<String>,
     documentation: Vec<String>,
 }
 
@@ -155,15 +160,19 @@ pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
 }
 
 fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {
-    let program = prune(&evaluator.program);
+    let ingredients = Ingredients::of(evaluator, named)?;
     let names = &named.inputs.names;
-    let printed = statements::statements(&program, names, &named.values, &Numpy)?;
+    let printed = statements::statements(&ingredients.program, names, &named.values, &Numpy)?;
     let camel = camel_case(&named.function);
+    let (mut inputs, mut outputs) = named.fields(evaluator, &COMMENTS);
     let mut body: Vec<String> = Vec::new();
-    for name in super::used(evaluator, &program, names) {
+    for name in ingredients.read {
         body.push(format!(
             "{name} = np.asarray(inputs.{name}, dtype=np.float64)"
         ));
+    }
+    for (name, number) in ingredients.fixed {
+        body.push(format!("{name} = {}", number.text));
     }
     for statement in &printed.statements {
         body.push(format!("{} = {}", statement.name, statement.text));
@@ -171,9 +180,9 @@ fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {
     // An output that does not depend on all inputs has the shape of all of them nevertheless.
     body.push("shape = np.broadcast_shapes(".to_owned());
     body.extend(
-        names
+        inputs
             .iter()
-            .map(|name| format!("    np.shape(inputs.{name}),")),
+            .map(|field| format!("    np.shape(inputs.{}),", field.name)),
     );
     body.push(")".to_owned());
     body.push(format!("return {camel}Outputs("));
@@ -184,28 +193,44 @@ fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {
     }
     body.push(")".to_owned());
 
-    let (mut inputs, mut outputs) = named.fields(evaluator, &COMMENTS);
     for field in inputs.iter_mut().chain(&mut outputs) {
         field.documentation = text(&field.documentation);
     }
+    let door = Door::of(evaluator, named, &RESERVED, &COMMENTS)?;
+    let parts = body::parts(evaluator, named)?;
     render(
         MODULE,
         &Module {
-            title: documentation::title(evaluator, &COMMENTS),
-            origin: documentation::origin(evaluator, &COMMENTS),
+            header: super::header(evaluator, &COMMENTS),
             function: named.function.clone(),
             camel,
             inputs,
             outputs,
             body,
-            documentation: documentation::function(
-                evaluator,
-                names,
-                &named.outputs.names,
-                &COMMENTS,
-            ),
+            at_angles: door.as_ref().map(conversion).unwrap_or_default(),
+            angles: door.map(|door| door.fields).unwrap_or_default(),
+            documentation: documentation::function(evaluator, &parts, &COMMENTS),
         },
     )
+}
+
+/// The body of the method that takes angles.
+fn conversion(door: &Door) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for name in &door.angles {
+        lines.push(format!("{name} = np.asarray({name}, dtype=np.float64)"));
+    }
+    for (name, number) in &door.fixed {
+        lines.push(format!("{name} = {}", number.text));
+    }
+    lines.push("return cls(".to_owned());
+    lines.extend(door.inputs.iter().map(|(name, source)| match source {
+        Source::Given(argument) => format!("    {name}={argument},"),
+        Source::Circular(Function::Cosine, angle) => format!("    {name}=np.cos({}),", angle.text),
+        Source::Circular(Function::Sine, angle) => format!("    {name}=np.sin({}),", angle.text),
+    }));
+    lines.push(")".to_owned());
+    lines
 }
 
 /// Lines as a text that documents the field above it.

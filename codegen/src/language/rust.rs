@@ -2,13 +2,15 @@
 
 use serde::Serialize;
 
+use super::body::{self, Ingredients};
 use super::documentation::{self, Comments};
+use super::door::{Door, Source};
 use super::literal::Decimal;
 use super::names::camel_case;
-use super::statements::{self, Binding, Fused, Notation, Sign, Text};
+use super::notation::{Binding, Fused, Notation, Sign, Text, infix, plain_literal, prefix};
+use super::statements;
 use super::{Error, Field, File, Named, commands, render};
-use crate::evaluator::Evaluator;
-use crate::optimiser::prune::prune;
+use crate::evaluator::{Evaluator, Function};
 
 const MODULE: &str = include_str!("../../templates/rust/module.rs.tera");
 const LIBRARY: &str = include_str!("../../templates/rust/lib.rs.tera");
@@ -50,6 +52,7 @@ const COMMENTS: Comments = Comments {
     prose: markdown,
     code: str::to_owned,
     heading: |heading| format!("# {heading}"),
+    constants: "which the compiler does once",
 };
 
 /// Nothing becomes a link, a tag or emphasis.
@@ -72,7 +75,7 @@ impl Generic {
     /// A literal that stands to the right of an operator: a plain number.
     fn right(text: &Text) -> Text {
         match &text.decimal {
-            Some(decimal) => statements::plain_literal(decimal),
+            Some(decimal) => plain_literal(decimal),
             None => text.clone(),
         }
     }
@@ -95,15 +98,15 @@ impl Notation for Generic {
         let swaps = matches!(sign, Sign::Add | Sign::Multiply);
         match (&left.decimal, &right.decimal) {
             // Sums and products are the same in both orders, to the bit.
-            (Some(_), None) if swaps => statements::infix(sign, right, &Generic::right(left)),
-            _ => statements::infix(sign, left, &Generic::right(right)),
+            (Some(_), None) if swaps => infix(sign, right, &Generic::right(left)),
+            _ => infix(sign, left, &Generic::right(right)),
         }
     }
 
     fn negative(&self, operand: &Text) -> Text {
         match &operand.decimal {
             Some(decimal) => self.literal(&decimal.negated()),
-            None => statements::prefix(operand),
+            None => prefix(operand),
         }
     }
 
@@ -140,6 +143,9 @@ struct Module {
     inputs: Vec<Field>,
     outputs: Vec<Field>,
     body: Vec<String>,
+    /// Empty where no input is a sine or cosine.
+    angles: Vec<Field>,
+    at_angles: Vec<String>,
     documentation: Vec<String>,
 }
 
@@ -198,13 +204,16 @@ pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
 }
 
 fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {
-    let program = prune(&evaluator.program);
+    let ingredients = Ingredients::of(evaluator, named)?;
     let names = &named.inputs.names;
-    let printed = statements::statements(&program, names, &named.values, &Generic)?;
+    let printed = statements::statements(&ingredients.program, names, &named.values, &Generic)?;
     let camel = camel_case(&named.function);
     let mut body: Vec<String> = Vec::new();
-    for name in super::used(evaluator, &program, names) {
+    for name in ingredients.read {
         body.push(format!("let {name} = inputs.{name};"));
+    }
+    for (name, number) in ingredients.fixed {
+        body.push(format!("let {name} = T::constant({});", number.text));
     }
     for statement in &printed.statements {
         body.push(format!("let {} = {};", statement.name, statement.text));
@@ -221,8 +230,14 @@ fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {
         .collect();
     body.extend(structure(&format!("{camel}Outputs"), &results));
 
+    let door = Door::of(evaluator, named, &RESERVED, &COMMENTS)?;
+    let at_angles = door
+        .as_ref()
+        .map(|door| conversion(&camel, door))
+        .unwrap_or_default();
     let (inputs, outputs) = named.fields(evaluator, &COMMENTS);
-    let documentation = documentation::function(evaluator, names, &named.outputs.names, &COMMENTS);
+    let parts = body::parts(evaluator, named)?;
+    let documentation = documentation::function(evaluator, &parts, &COMMENTS);
     render(
         MODULE,
         &Module {
@@ -232,9 +247,35 @@ fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {
             inputs,
             outputs,
             body,
+            angles: door.map(|door| door.fields).unwrap_or_default(),
+            at_angles,
             documentation: super::spaced(documentation),
         },
     )
+}
+
+/// The body of the function that takes angles.
+fn conversion(camel: &str, door: &Door) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for name in &door.angles {
+        lines.push(format!("let {name} = angles.{name};"));
+    }
+    for (name, number) in &door.fixed {
+        lines.push(format!("let {name}: f64 = {};", number.text));
+    }
+    let fields = door.inputs.iter().map(|(name, source)| match source {
+        Source::Given(field) => format!("{name}: angles.{field}"),
+        Source::Circular(function, angle) => {
+            let function = match function {
+                Function::Cosine => "cos",
+                Function::Sine => "sin",
+            };
+            format!("{name}: {}.{function}()", angle.at_least(Binding::Atom))
+        }
+    });
+    let fields: Vec<String> = fields.collect();
+    lines.extend(structure(&format!("{camel}Inputs"), &fields));
+    lines
 }
 
 /// A structure as rustfmt writes it.

@@ -1,6 +1,6 @@
 //! What does not depend on the inputs that are swept.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::program::{Node, Operation, Program};
 
@@ -87,6 +87,29 @@ pub fn hoist(program: &Program, swept: &BTreeSet<String>) -> Hoisted {
         preparation: super::prune::prune(&preparation),
         sweep: super::prune::prune(&sweep),
     }
+}
+
+/// The same program, with what does not depend on the swept inputs before what does.
+#[must_use]
+pub fn still_first(program: &Program, swept: &BTreeSet<String>) -> Program {
+    let moves = moving(program, swept);
+    let mut sorted = Program::new(program.inputs().iter().cloned());
+    let mut images: BTreeMap<Node, Node> = BTreeMap::new();
+    for late in [false, true] {
+        for (node, operation) in program.nodes() {
+            if let Operation::Input(_) = operation {
+                // The inputs are the first values of both programs.
+                images.insert(node, node);
+            } else if moves[node.index()] == late {
+                let moved = operation.map(|operand| images[&operand]);
+                images.insert(node, sorted.push(moved));
+            }
+        }
+    }
+    for (name, node) in program.outputs() {
+        sorted.output(name.clone(), images[node]);
+    }
+    sorted
 }
 
 /// Of each value, whether it depends on a swept input.

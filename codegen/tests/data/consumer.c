@@ -7,6 +7,7 @@
 #include "determinant.h"
 #include "match.h"
 #include "quadratic_form.h"
+#include "rod.h"
 
 static double number(uint64_t bits)
 {
@@ -34,7 +35,11 @@ int main(void)
 {
     char name[32];
     while (scanf("%31s", name) == 1) {
-        const int count = strcmp(name, "determinant") == 0 ? 9 : strcmp(name, "match") == 0 ? 6 : 5;
+        const int count = strcmp(name, "determinant") == 0 ? 9
+                          : strcmp(name, "match") == 0     ? 6
+                          : strcmp(name, "rod") == 0       ? 4
+                          : strcmp(name, "angles") == 0    ? 3
+                                                           : 5;
         double v[9], r[5];
         for (int place = 0; place < count; place++) {
             uint64_t bits;
@@ -64,6 +69,31 @@ int main(void)
             answer(plain.again, r[2], bounds.again, " ");
             answer(plain.same, r[3], bounds.same, " ");
             answer(plain.three, r[4], bounds.three, "\n");
+        } else if (count == 4) {
+            const rod_inputs in = {v[0], v[1], v[2], v[3]};
+            const rod_slices many = {&v[0], &v[1], &v[2], &v[3]};
+            const rod_slices_mut out = {&r[0], &r[1], &r[2], &r[3]};
+            const rod_outputs plain = rod(&in);
+            const rod_bounds bounds = rod_with_bound(&in);
+            rod_batch(1, &many, &out);
+            answer(plain.reach, r[0], bounds.reach, " ");
+            answer(plain.height, r[1], bounds.height, " ");
+            answer(plain.scale, r[2], bounds.scale, " ");
+            answer(plain.ratio, r[3], bounds.ratio, "\n");
+        } else if (count == 3) {
+            const rod_angles angles = {.L = v[0], .theta_0 = v[1], .beta = v[2]};
+            const rod_inputs in = rod_inputs_at(&angles);
+            const double found[4] = {
+                in.L,
+                in.cos_alpha_g_plus_theta_0,
+                in.sin_alpha_g_plus_theta_0,
+                in.cos_2_beta_minus_theta_0,
+            };
+            for (int place = 0; place < 4; place++) {
+                uint64_t bits;
+                memcpy(&bits, &found[place], sizeof bits);
+                printf("%" PRIx64 "%s", bits, place < 3 ? " " : "\n");
+            }
         } else {
             const quadratic_form_inputs in = {v[0], v[1], v[2], v[3], v[4]};
             const quadratic_form_slices many = {&v[0], &v[1], &v[2], &v[3], &v[4]};

@@ -9,15 +9,18 @@ from evaluators import (
     DeterminantInputs,
     MatchInputs,
     QuadraticFormInputs,
+    RodInputs,
     determinant,
     match_,
     quadratic_form,
+    rod,
 )
 
 FUNCTIONS = {
     "determinant": (DeterminantInputs, determinant),
     "match": (MatchInputs, match_),
     "quadratic_form": (QuadraticFormInputs, quadratic_form),
+    "rod": (RodInputs, rod),
 }
 
 np.seterr(all="ignore")
@@ -26,6 +29,19 @@ points = {}
 for name, *words in questions:
     values = [struct.unpack(">d", bytes.fromhex(word.zfill(16)))[0] for word in words]
     points.setdefault(name, []).append(values)
+
+if "angles" in points:
+    # Lists are as good as arrays.
+    lengths, turns, others = map(list, zip(*points.pop("angles")))
+    together = RodInputs.at_angles(L=lengths, theta_0=turns, beta=others)
+    for place, turn in enumerate(turns):
+        alone = RodInputs.at_angles(L=lengths[place], theta_0=turn, beta=others[place])
+        words = []
+        for field in dataclasses.fields(alone):
+            value = getattr(alone, field.name)
+            assert abs(value - getattr(together, field.name)[place]) < 4e-16
+            words.append(struct.pack(">d", value).hex())
+        print(*words)
 
 for name, rows in points.items():
     inputs, function = FUNCTIONS[name]

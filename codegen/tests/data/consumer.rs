@@ -3,7 +3,7 @@
 
 use sextic_evaluators::arithmetic::Arithmetic;
 use sextic_evaluators::dispatch::{Level, LengthMismatch, Mode};
-use sextic_evaluators::{determinant, match_, quadratic_form};
+use sextic_evaluators::{determinant, match_, quadratic_form, rod};
 
 /// Equal bits; any NaN equals any other.
 fn same(a: f64, b: f64) -> bool {
@@ -89,8 +89,35 @@ evaluator!(
     match__batch, match__with_bound, [I, lambda, t1_, fn_, double, unused],
     [I, nested, again, same, three]
 );
+evaluator!(
+    check_rod, answer_rod, rod, RodInputs, RodSlices, RodSlicesMut, rod_batch_at, rod_batch,
+    rod_with_bound,
+    [L, cos_alpha_g_plus_theta_0, sin_alpha_g_plus_theta_0, cos_2_beta_minus_theta_0],
+    [reach, height, scale, ratio]
+);
+
+/// The inputs at angles, as they are printed.
+#[cfg(feature = "std")]
+fn at_angles(values: &[f64]) -> Vec<f64> {
+    let angles = rod::RodAngles { L: values[0], theta_0: values[1], beta: values[2] };
+    let inputs = rod::RodInputs::from(&angles);
+    vec![
+        inputs.L,
+        inputs.cos_alpha_g_plus_theta_0,
+        inputs.sin_alpha_g_plus_theta_0,
+        inputs.cos_2_beta_minus_theta_0,
+    ]
+}
+
+/// `core` has no sine.
+#[cfg(not(feature = "std"))]
+fn at_angles(values: &[f64]) -> Vec<f64> {
+    let angles = rod::RodAngles { L: values[0], theta_0: values[1], beta: values[2] };
+    vec![angles.L]
+}
 
 fn main() {
+    check_rod();
     check_determinant();
     check_quadratic_form();
     check_match();
@@ -104,7 +131,14 @@ fn main() {
         let values: Vec<f64> = words
             .map(|word| f64::from_bits(u64::from_str_radix(word, 16).unwrap()))
             .collect();
+        if name == "angles" {
+            let inputs = at_angles(&values);
+            let words: Vec<String> = inputs.iter().map(|value| format!("{:x}", value.to_bits())).collect();
+            println!("{}", words.join(" "));
+            continue;
+        }
         let answers = match name {
+            "rod" => answer_rod(&values),
             "determinant" => answer_determinant(&values),
             "quadratic_form" => answer_quadratic_form(&values),
             "match" => answer_match(&values),
