@@ -1,7 +1,7 @@
 //! Literals are the numbers that they stand for.
 
 use proptest::prelude::*;
-use sextic_codegen::language::literal::Literal;
+use sextic_codegen::language::literal::{Decimal, Literal};
 use sextic_codegen::program::Rational;
 
 use crate::samples::rational;
@@ -50,7 +50,39 @@ fn table() {
     );
 }
 
+#[test]
+fn the_nearest_double_is_short() {
+    for (value, text) in [
+        ("89/5000", Some("0.0178")),
+        ("-1/3", Some("-0.3333333333333333")),
+        ("0", Some("0.0")),
+        ("1/10000000", Some("1e-7")),
+        ("3", Some("3.0")),
+    ] {
+        let found = Decimal::nearest(&value.parse().unwrap());
+        assert_eq!(found.map(|decimal| decimal.text).as_deref(), text);
+    }
+    let ten = Rational::from(10);
+    assert_eq!(Decimal::nearest(&ten.pow(400)), None);
+    assert_eq!(Decimal::nearest(&-ten.pow(400)), None);
+    assert_eq!(Decimal::nearest(&ten.pow(-400)), None);
+    assert!(Decimal::nearest(&ten.pow(-320)).is_some());
+}
+
 proptest! {
+    #[test]
+    fn the_nearest_double_is_what_a_compiler_takes(digits: i64, places in -320..280_isize) {
+        let value = Rational::from(digits) * Rational::from(10).pow(places);
+        let expected: f64 = format!("{digits}e{places}").parse().unwrap();
+        match Decimal::nearest(&value) {
+            Some(decimal) => {
+                prop_assert_eq!(decimal.value, expected);
+                prop_assert_eq!(decimal.text.parse::<f64>().unwrap(), expected);
+            }
+            None => prop_assert!(expected == 0.0 || expected.is_infinite()),
+        }
+    }
+
     #[test]
     fn a_reader_and_a_compiler_take_a_literal_for_the_same(above: i128, below in 1..i128::MAX) {
         let value = Rational::from(above) / Rational::from(below);

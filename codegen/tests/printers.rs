@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use insta::assert_snapshot;
-use sextic_codegen::evaluator::Evaluator;
+use sextic_codegen::evaluator::{Circular, Evaluator, Fixed, Function, Origin, Quantity, Rounding};
+use sextic_codegen::language::documentation::{Comments, field};
 use sextic_codegen::language::{Error, Language, emit};
 use sextic_codegen::program::{Operation, Program, Rational};
 
@@ -55,7 +56,7 @@ fn the_same_evaluators_give_the_same_bytes_in_the_order_of_paths() {
 
 #[test]
 fn nothing_that_a_document_says_leaves_its_comment() {
-    let mut evaluator = samples::determinant();
+    let mut evaluator = samples::rod();
     let nasty = "end */ \"\"\" \\ \n}\r\u{2028}mod x; /* ??/ `";
     evaluator.title = nasty.into();
     evaluator.description = nasty.into();
@@ -66,9 +67,27 @@ fn nothing_that_a_document_says_leaves_its_comment() {
     evaluator.document = nasty.into();
     evaluator.hash = nasty.into();
     evaluator.proof = Some(nasty.into());
-    let inputs = evaluator.inputs.iter_mut();
-    let inputs = inputs.map(|input| &mut input.quantity);
-    for quantity in inputs.chain(&mut evaluator.outputs) {
+    evaluator.assumptions = vec![nasty.into()];
+    evaluator.rounding = Some(Rounding {
+        points: 1,
+        domain: nasty.into(),
+        largest: vec![f64::INFINITY; 4],
+        percentile_99: vec![1e300; 4],
+    });
+    let mut quantities: Vec<&mut Quantity> = Vec::new();
+    for input in &mut evaluator.inputs {
+        if let Origin::Fixed(fixed) = &mut input.origin {
+            fixed.text = nasty.into();
+        }
+        quantities.push(&mut input.quantity);
+    }
+    for angle in &mut evaluator.angles {
+        if let Some(fixed) = &mut angle.fixed {
+            fixed.text = nasty.into();
+        }
+        quantities.push(&mut angle.quantity);
+    }
+    for quantity in quantities.into_iter().chain(&mut evaluator.outputs) {
         quantity.unit = nasty.into();
         quantity.symbol = nasty.into();
         quantity.description = nasty.into();
@@ -176,5 +195,187 @@ fn unsafe_names_are_renamed_and_say_so() {
                 "{name}"
             );
         }
+    }
+}
+
+/// What is refused, and why: by a change of the rod.
+#[test]
+fn what_is_fixed_must_have_a_value_and_angles_must_be_known() {
+    type Change = fn(&mut Evaluator);
+    let fixed = |value: Rational| {
+        let text = String::new();
+        Origin::Fixed(Fixed { value, text })
+    };
+    let table: [(Change, Error); 8] = [
+        (
+            |rod| set(rod, 0, Rational::from(-2)),
+            Error::Fixed("rod".into()),
+        ),
+        (
+            |rod| set(rod, 0, Rational::from(-1)),
+            Error::Fixed("rod".into()),
+        ),
+        (
+            |rod| {
+                set(rod, 0, Rational::from(10).pow(308));
+                set(rod, 4, Rational::from(10).pow(308));
+            },
+            Error::Fixed("rod".into()),
+        ),
+        (
+            |rod| set(rod, 4, Rational::from(10).pow(-400)),
+            Error::Constant(Rational::from(10).pow(-400).to_string()),
+        ),
+        (
+            |rod| rod.angles.truncate(2),
+            Error::Quantities("rod".into()),
+        ),
+        (
+            |rod| {
+                rod.inputs[3].origin = Origin::Circular(sum(&[]));
+            },
+            Error::Quantities("rod".into()),
+        ),
+        (
+            |rod| {
+                rod.inputs[3].origin = Origin::Circular(sum(&[(0, "beta")]));
+            },
+            Error::Quantities("rod".into()),
+        ),
+        (
+            |rod| {
+                // Asked for and fixed.
+                rod.angles[0].quantity.name = "L".into();
+                rod.inputs[3].origin = Origin::Circular(sum(&[(1, "L")]));
+                rod.inputs[5].origin = Origin::Circular(sum(&[(1, "L")]));
+            },
+            Error::Quantities("rod".into()),
+        ),
+    ];
+    for language in Language::ALL {
+        for (place, (change, error)) in table.iter().enumerate() {
+            let mut rod = samples::rod();
+            change(&mut rod);
+            let found = emit(&[rod], language).err();
+            assert_eq!(found.as_ref(), Some(error), "{place}");
+        }
+        let mut rod = samples::rod();
+        for input in &mut rod.inputs {
+            input.origin = fixed(Rational::ONE);
+        }
+        let found = emit(&[rod], language).unwrap_err();
+        assert_eq!(found, Error::Nothing("rod".into()));
+    }
+}
+
+fn set(rod: &mut Evaluator, place: usize, value: Rational) {
+    let text = String::new();
+    rod.inputs[place].origin = Origin::Fixed(Fixed { value, text });
+}
+
+fn sum(parts: &[(i32, &str)]) -> Circular {
+    let parts = parts.iter();
+    Circular {
+        function: Function::Sine,
+        angle: parts
+            .map(|(count, name)| (*count, (*name).to_owned()))
+            .collect(),
+    }
+}
+
+#[test]
+fn an_angle_that_is_an_input_too_is_asked_for_once() {
+    // L is an angle now, and beta has the name of a function.
+    let mut rod = samples::rod();
+    rod.angles[1].quantity.name = "L".into();
+    rod.angles[2].quantity.name = "cos".into();
+    for (place, parts) in [
+        (3, sum(&[(1, "alpha_g"), (1, "L")])),
+        (5, sum(&[(-1, "L"), (-3, "cos")])),
+        (6, sum(&[(-2, "cos")])),
+    ] {
+        rod.inputs[place].origin = Origin::Circular(parts);
+    }
+    for (language, path, lines) in [
+        (
+            Language::Rust,
+            "rod.rs",
+            [
+                "L: angles.L,",
+                "sin_alpha_g_plus_theta_0: (-L - 3.0 * cos_).sin(),",
+            ],
+        ),
+        (
+            Language::C,
+            "rod.c",
+            [
+                ".L = angles->L,",
+                ".sin_alpha_g_plus_theta_0 = sin(-L - 3.0 * cos_),",
+            ],
+        ),
+        (
+            Language::Python,
+            "rod.py",
+            ["L=L,", "sin_alpha_g_plus_theta_0=np.sin(-L - 3.0 * cos_),"],
+        ),
+    ] {
+        let files = emit(std::slice::from_ref(&rod), language).unwrap();
+        let text = &files.iter().find(|file| file.path == path).unwrap().text;
+        for line in lines {
+            let count = text.lines().filter(|own| own.trim() == line).count();
+            assert_eq!(count, 1, "{line} in {text}");
+        }
+    }
+}
+
+#[test]
+fn fields_are_sentences_and_symbols_stay() {
+    let comments = Comments {
+        prose: str::to_owned,
+        code: str::to_owned,
+        heading: str::to_owned,
+        constants: "",
+    };
+    for (name, symbol, unit, description, expected) in [
+        (
+            "m",
+            "m",
+            "kg",
+            "mass of the rod",
+            "Mass of the rod, in `kg`.",
+        ),
+        ("rho", "ρ", "kg/m³", "density.", "Density (ρ), in `kg/m³`."),
+        ("rho", "ρ", "1", "", "ρ, dimensionless."),
+        ("c", "c", "1", "", "Dimensionless."),
+        ("c", "c", "", "", "No unit."),
+        ("c", "c", "m", "", "In `m`."),
+        ("c", "φ", "", "", "φ."),
+        ("c", "c", "1", "ω_n of it", "ω_n of it, dimensionless."),
+        ("c", "c", "1", "c_0 of it", "c_0 of it, dimensionless."),
+        ("c", "c", "1", "x-axis", "x-axis, dimensionless."),
+        (
+            "c",
+            "c",
+            "1",
+            "cos(α) of it",
+            "cos(α) of it, dimensionless.",
+        ),
+        ("c", "c", "1", "a half", "A half, dimensionless."),
+        (
+            "c",
+            "c",
+            "1",
+            "He & Macdonald",
+            "He & Macdonald, dimensionless.",
+        ),
+        ("c", "c", "1", "well-known", "Well-known, dimensionless."),
+    ] {
+        let quantity = Quantity {
+            name: name.into(),
+            symbol: symbol.into(),
+            unit: unit.into(),
+            description: description.into(),
+        };
+        assert_eq!(field(&quantity, name, &comments), [expected]);
     }
 }

@@ -63,7 +63,7 @@ impl Input {
                     name: primed(&entry.name.ascii, *order),
                     shown: Notation::Unicode.expression(&shown),
                     unit: unit.clone(),
-                    description: entry.description.clone(),
+                    description: derived(&entry.name.unicode, *order, &entry.description),
                     origin: Origin::Given,
                     angles: Vec::new(),
                 })
@@ -74,6 +74,19 @@ impl Input {
             | Generator::Direction { .. } => None,
         }
     }
+}
+
+/// What the derivative of a function by its angle is: tables often have it by degrees.
+fn derived(function: &str, order: u32, description: &Option<String>) -> Option<String> {
+    let what = match order {
+        0 => return description.clone(),
+        1 => format!("derivative of {function} by its angle in radians"),
+        _ => format!("derivative of {function} of order {order} by its angle in radians"),
+    };
+    Some(match description {
+        Some(description) => format!("{what}; {description}"),
+        None => what,
+    })
 }
 
 /// The sine or cosine of a sum of declared angles.

@@ -149,9 +149,9 @@ fn fixed(parts: &Parts<'_>, comments: &Comments) -> Vec<String> {
     let item = |(name, what, fixed, decimal): &(&str, &Quantity, &Fixed, Decimal)| {
         let code = format!("{name} = {}", decimal.text);
         let mut text = format!("{}: {}.", comments.code(&code), quantity(what, comments));
-        if flat(&fixed.text) != code {
-            let fixed = comments.prose(&flat(&fixed.text));
-            text.push_str(&format!(" It stands for {fixed}."));
+        let meaning = flat(&fixed.text);
+        if !meaning.is_empty() && meaning != code {
+            text.push_str(&format!(" It stands for {}.", comments.prose(&meaning)));
         }
         text
     };

@@ -145,5 +145,6 @@ fn sum(circular: &Circular, name: &impl Fn(&str) -> String) -> Text {
             None => times(count),
         });
     }
+    // There is one: an empty sum is refused.
     sum.unwrap_or_else(|| Text::new("0.0", Binding::Atom))
 }

@@ -20,7 +20,7 @@ use std::str::FromStr;
 
 use serde::Serialize;
 
-use crate::evaluator::{Angle, Evaluator, Input};
+use crate::evaluator::{Evaluator, Input};
 use documentation::Comments;
 pub use error::Error;
 use named::{Field, Named};
@@ -123,22 +123,19 @@ fn check(evaluator: &Evaluator) -> Result<(), Error> {
     Ok(())
 }
 
-/// Whether every angle of a circular input is known, and none is both fixed and asked for.
+/// Whether every circular input is that of a sum of known angles, none of them both fixed and asked for.
 fn has_its_angles(evaluator: &Evaluator) -> bool {
-    let mut parts = evaluator
-        .inputs
-        .iter()
-        .filter_map(Input::circular)
-        .flat_map(|circular| &circular.angle);
-    let asked = |name: &str| {
+    let is_given = |name: &str| {
         let mut names = evaluator.free_inputs().map(|input| &input.quantity.name);
         names.any(|input| input == name)
     };
-    let consistent = |name: &str, angle: &Angle| angle.fixed.is_none() || !asked(name);
-    parts.all(|(_, name)| {
+    let is_known = |(count, name): &(i32, String)| {
         let angle = evaluator.angle(name);
-        angle.is_some_and(|angle| consistent(name, angle))
-    })
+        let is_clear = angle.is_some_and(|angle| angle.fixed.is_none() || !is_given(name));
+        *count != 0 && is_clear
+    };
+    let mut sums = evaluator.inputs.iter().filter_map(Input::circular);
+    sums.all(|sum| !sum.angle.is_empty() && sum.angle.iter().all(is_known))
 }
 
 /// Places strings in a template. The names of templates end in none of those that are escaped.
