@@ -3,8 +3,11 @@
 
 mod c;
 mod consumer;
+mod documentation;
+mod laws;
 mod literals;
 mod optimiser;
+mod origins;
 mod printers;
 mod python;
 mod rounding;

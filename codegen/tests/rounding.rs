@@ -7,7 +7,7 @@ use sextic_codegen::rounding::{
     Domain, Interval, Unmeasured, evaluate, evaluate_closely, evaluate_exactly, measure, units,
 };
 
-use crate::optimiser::drawn;
+use crate::laws::drawn;
 use crate::samples::{self, rational};
 
 /// An evaluator of a program, and 1 to 2 for each of its inputs.
