@@ -9,12 +9,9 @@
 
 use super::budget::{Budget, Exhausted};
 use super::degrees::Degrees;
-use super::number::Integer;
+use super::modular::{PRIME, power, reduce, residue, times};
 use super::polynomial::Polynomial;
 use super::symbol::Symbol;
-
-/// The prime 2^61 - 1.
-const PRIME: u64 = (1 << 61) - 1;
 
 /// An upper bound on the degree of `gcd(left, right)` in every symbol, for
 /// polynomials that are not zero.
@@ -128,49 +125,11 @@ fn trim(mut coefficients: Vec<u64>) -> Vec<u64> {
     coefficients
 }
 
-fn residue(integer: &Integer) -> u64 {
-    (integer % PRIME as i64).rem_euclid(PRIME as i64) as u64
-}
-
-/// Reduces a number below twice the prime.
-fn reduce(value: u64) -> u64 {
-    value.checked_sub(PRIME).unwrap_or(value)
-}
-
-fn times(left: u64, right: u64) -> u64 {
-    let product = u128::from(left) * u128::from(right);
-    // 2^61 is 1 modulo the prime.
-    reduce((product as u64 & PRIME) + (product >> 61) as u64)
-}
-
-fn power(base: u64, exponent: impl Into<u64>) -> u64 {
-    let mut exponent = exponent.into();
-    let (mut power, mut square) = (1, base);
-    while exponent > 0 {
-        if exponent & 1 == 1 {
-            power = times(power, square);
-        }
-        square = times(square, square);
-        exponent >>= 1;
-    }
-    power
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::number::Integer;
     use super::super::polynomial::notation::{polynomial, symbol};
     use super::*;
-
-    #[test]
-    fn the_field_is_a_field() {
-        for value in [1, 2, 3, PRIME / 2, PRIME - 2, PRIME - 1] {
-            assert_eq!(times(value, power(value, PRIME - 2)), 1);
-            assert_eq!(reduce(value + (PRIME - value)), 0);
-        }
-        assert_eq!(residue(&Integer::from(-1)), PRIME - 1);
-        assert_eq!(residue(&(Integer::ONE << 61)), 1);
-        assert_eq!(residue(&-(Integer::ONE << 122)), PRIME - 1);
-    }
 
     #[test]
     fn the_bounds_are_the_degrees_of_the_gcd() {

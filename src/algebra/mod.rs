@@ -18,6 +18,7 @@ pub mod generator;
 mod image;
 pub mod linear_system;
 pub mod matrix;
+pub mod modular;
 pub mod monomial;
 pub mod number;
 mod packing;
