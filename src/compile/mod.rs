@@ -1,9 +1,15 @@
 //! What a document derives becomes straight-line programs.
 
 pub mod circle;
+pub mod constant;
+mod double;
+pub mod doubt;
+pub mod execution;
 pub mod fixed;
 pub mod input;
 pub mod normal_form;
+pub mod operations;
+pub mod point;
 pub mod polynomial;
 pub mod proof;
 pub mod reading;

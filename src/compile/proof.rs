@@ -1,128 +1,165 @@
 //! The proof that a text computes what was derived: it is executed over the document's ring.
 
 use std::collections::BTreeMap;
+use std::fmt;
+
+use sextic_codegen::language::{File, Language};
 
 use crate::algebra::arithmetic::{Arithmetic, Division};
-use crate::algebra::error::AlgebraError;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::number::Rational;
 use crate::algebra::ring::Ring;
 
-use super::reading::{Reading, Term};
+use super::constant::Constant;
+use super::doubt::{Doubt, Reason};
+use super::execution::{Domain, execute};
+use super::operations;
+use super::point::Point;
+use super::reading::{Reading, read};
 use super::specification::Specification;
 
-/// Why a text is not proven to compute what was derived.
-#[derive(Clone, Debug)]
-pub enum Doubt {
-    /// The text has other inputs or outputs than the evaluator.
-    Interface(String),
-    /// A name is used before it is assigned, or assigned twice.
-    Name(String),
-    /// An output differs from what was derived.
-    Different(String),
-    /// The algebra cannot follow it.
-    Algebra(AlgebraError),
+/// What was proven of emitted files. Only [`prove_files`] gives one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Proof {
+    language: Language,
+    bodies: usize,
+    outputs: usize,
+    constants: usize,
 }
 
-/// Executes a text in the document's ring, and compares every output with its normal form.
+impl fmt::Display for Proof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let count = |count: usize, one: &str, more: &str| match count {
+            1 => format!("the {one}"),
+            _ => format!("the {count} {more}"),
+        };
+        let language = match self.language {
+            Language::Rust => "Rust",
+            Language::C => "C",
+            Language::Python => "Python",
+        };
+        write!(
+            f,
+            "Read back from this {language}, {} of {} equal the derived expressions in exact algebra{}, by \
+             the operations whose rounding is measured.",
+            count(self.outputs, "output", "outputs"),
+            count(self.bodies, "body", "bodies"),
+            match self.constants {
+                0 => "",
+                _ => ", where each fixed input is the double nearest to its value",
+            },
+        )
+    }
+}
+
+/// Proves that the emitted files of an evaluator compute what was derived.
+///
+/// The files are read back as a whole. Every body must take the operations of the program, up to the
+/// order in sums and products, and each of its outputs must be equal to its normal form in the ring.
+/// What all evaluators share (numbers with bounds, lanes, the root of a crate) is not read.
+///
+/// Complexity: that of the normal forms; reading is linear in the length of the files.
 ///
 /// # Errors
 ///
 /// [`Doubt`] where anything at all is not as it must be.
+pub fn prove_files(
+    files: &[File],
+    specification: &Specification,
+    language: Language,
+    ring: &mut Ring,
+) -> Result<Proof, Doubt> {
+    let readings = read(files, &specification.evaluator, language);
+    let readings = readings.map_err(|(place, unreadable)| Doubt {
+        place,
+        reason: Reason::Unreadable(unreadable),
+    })?;
+    let point = Point::of(specification, ring);
+    for (place, reading) in &readings {
+        let mut check = || {
+            operations::compare(reading, specification)?;
+            point.refute(reading, specification)?;
+            prove(reading, specification, ring)
+        };
+        check().map_err(|reason| Doubt {
+            place: place.clone(),
+            reason,
+        })?;
+    }
+    Ok(Proof {
+        language,
+        bodies: readings.len(),
+        outputs: specification.outputs.len(),
+        constants: specification.constants.len(),
+    })
+}
+
+/// Executes a body in the document's ring, and compares every output with its normal form.
+///
+/// # Errors
+///
+/// [`Reason`] where anything at all is not as it must be.
 pub fn prove(
     reading: &Reading,
     specification: &Specification,
     ring: &mut Ring,
-) -> Result<(), Doubt> {
-    let mut known: BTreeMap<&str, Fraction> = BTreeMap::new();
-    let mut inputs: BTreeMap<&str, &Fraction> = BTreeMap::new();
-    for (name, element) in &specification.inputs {
-        inputs.insert(name, element);
-    }
-    for (field, variable) in &reading.inputs {
-        let Some(element) = inputs.remove(field.as_str()) else {
-            return Err(Doubt::Interface(format!(
-                "`{field}` is no input, or is read twice"
-            )));
-        };
-        assign(&mut known, variable, element.clone())?;
-    }
-    for (variable, term) in &reading.assignments {
-        let value = value(term, &known, ring)?;
-        assign(&mut known, variable, value)?;
-    }
-    let mut wanted: BTreeMap<&str, &Fraction> = BTreeMap::new();
-    for (name, element) in &specification.outputs {
-        wanted.insert(name, element);
-    }
-    for (field, term) in &reading.outputs {
-        let Some(derived) = wanted.remove(field.as_str()) else {
-            return Err(Doubt::Interface(format!(
-                "`{field}` is no output, or is given twice"
-            )));
-        };
-        let computed = value(term, &known, ring)?;
-        let difference = ring
-            .difference(&computed, derived)
-            .map_err(Doubt::Algebra)?;
-        if !difference.is_zero() {
-            return Err(Doubt::Different(field.clone()));
+) -> Result<(), Reason> {
+    let inputs = specification.inputs.iter();
+    let inputs = inputs
+        .map(|(name, element)| (name.as_str(), element))
+        .collect();
+    let mut elements = Elements { ring, inputs };
+    let found = execute(reading, specification, &mut elements)?;
+    for ((name, derived), found) in specification.outputs.iter().zip(found) {
+        if !ring.difference(&found, derived)?.is_zero() {
+            return Err(Reason::Different(name.clone()));
         }
     }
-    match wanted.keys().next() {
-        Some(missing) => Err(Doubt::Interface(format!(
-            "the output `{missing}` is not given"
-        ))),
-        None => Ok(()),
-    }
+    Ok(())
 }
 
-fn assign<'a>(
-    known: &mut BTreeMap<&'a str, Fraction>,
-    variable: &'a str,
-    value: Fraction,
-) -> Result<(), Doubt> {
-    match known.insert(variable, value) {
-        None => Ok(()),
-        Some(_) => Err(Doubt::Name(format!("`{variable}` is assigned twice"))),
-    }
+/// The elements of a ring.
+struct Elements<'a> {
+    ring: &'a mut Ring,
+    inputs: BTreeMap<&'a str, &'a Fraction>,
 }
 
-fn value(
-    term: &Term,
-    known: &BTreeMap<&str, Fraction>,
-    ring: &mut Ring,
-) -> Result<Fraction, Doubt> {
-    let result = match term {
-        Term::Name(name) => {
-            let value = known.get(name.as_str()).cloned();
-            return value.ok_or_else(|| Doubt::Name(format!("`{name}` is not assigned before")));
-        }
-        Term::Number(number) => Ok(Fraction::from(Rational::clone(number))),
-        Term::Negative(inner) => {
-            let inner = value(inner, known, ring)?;
-            Ok(ring.negative(&inner))
-        }
-        Term::Add(a, b) => {
-            let (a, b) = (value(a, known, ring)?, value(b, known, ring)?);
-            ring.sum(&a, &b)
-        }
-        Term::Subtract(a, b) => {
-            let (a, b) = (value(a, known, ring)?, value(b, known, ring)?);
-            ring.difference(&a, &b)
-        }
-        Term::Multiply(a, b) => {
-            let (a, b) = (value(a, known, ring)?, value(b, known, ring)?);
-            ring.product(&a, &b)
-        }
-        Term::Divide(a, b) => {
-            let (a, b) = (value(a, known, ring)?, value(b, known, ring)?);
-            ring.quotient(&a, &b)
-        }
-        Term::SquareRoot(square) => {
-            let square = value(square, known, ring)?;
-            ring.square_root(&square)
-        }
-    };
-    result.map_err(Doubt::Algebra)
+impl Domain for Elements<'_> {
+    type Value = Fraction;
+
+    fn input(&mut self, name: &str) -> Option<Fraction> {
+        self.inputs.get(name).map(|element| (*element).clone())
+    }
+
+    fn constant(&mut self, constant: &Constant, _: &Rational) -> Fraction {
+        constant.element.clone()
+    }
+
+    fn number(&mut self, value: &Rational) -> Fraction {
+        Fraction::constant(value.clone())
+    }
+
+    fn negative(&mut self, a: Fraction) -> Result<Fraction, Reason> {
+        Ok(self.ring.negative(&a))
+    }
+
+    fn sum(&mut self, a: Fraction, b: Fraction) -> Result<Fraction, Reason> {
+        Ok(self.ring.sum(&a, &b)?)
+    }
+
+    fn difference(&mut self, a: Fraction, b: Fraction) -> Result<Fraction, Reason> {
+        Ok(self.ring.difference(&a, &b)?)
+    }
+
+    fn product(&mut self, a: Fraction, b: Fraction) -> Result<Fraction, Reason> {
+        Ok(self.ring.product(&a, &b)?)
+    }
+
+    fn quotient(&mut self, a: Fraction, b: Fraction) -> Result<Fraction, Reason> {
+        Ok(self.ring.quotient(&a, &b)?)
+    }
+
+    fn square_root(&mut self, a: Fraction) -> Result<Fraction, Reason> {
+        Ok(self.ring.square_root(&a)?)
+    }
 }

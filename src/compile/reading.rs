@@ -1,8 +1,26 @@
 //! Emitted text, read back by parsers that share no code with the printers.
+//!
+//! A file is read as a whole: its bodies become readings, and everything around them must be, token for
+//! token, what its shape says. Comments alone are not read.
 
-pub mod rust;
+mod c;
+mod cursor;
+mod infix;
+mod literal;
+pub(super) mod names;
+mod python;
+mod rust;
+mod shape;
+mod token;
+
+use std::fmt;
+
+use sextic_codegen::evaluator::Evaluator;
+use sextic_codegen::language::{File, Language};
 
 use crate::algebra::number::Rational;
+
+use names::{Names, spellings};
 
 /// An expression of an emitted text.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,51 +46,106 @@ pub enum Term {
 /// The body of an emitted function: what is assigned in order, and what is returned.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Reading {
-    /// The fields of the inputs, and the variables that they are read into.
+    /// The inputs, and the variables that they are read into.
     pub inputs: Vec<(String, String)>,
     /// The variables and their values, in order.
     pub assignments: Vec<(String, Term)>,
-    /// The fields of the outputs, and their values.
+    /// The outputs, and their values.
     pub outputs: Vec<(String, Term)>,
+}
+
+impl Reading {
+    /// A field of the inputs is read into a variable, before anything is computed.
+    fn load(
+        &mut self,
+        names: &Names,
+        field: &str,
+        variable: String,
+        line: usize,
+    ) -> Result<(), Unreadable> {
+        let refuse = |reason: String| Err(Unreadable { line, reason });
+        let Some(quantity) = names.input(field) else {
+            return refuse(format!("`{field}` is no input"));
+        };
+        if !self.assignments.is_empty() {
+            return refuse(format!("`{field}` is read behind the first value"));
+        }
+        self.inputs.push((quantity.to_string(), variable));
+        Ok(())
+    }
 }
 
 /// Why a text could not be read: what was found where something else is expected.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unreadable {
+    /// The line, counted from 1; that of the body where it is not known better.
+    pub line: usize,
     /// What was found, in words.
     pub reason: String,
 }
 
-impl Unreadable {
-    fn new(reason: impl Into<String>) -> Self {
-        Unreadable {
-            reason: reason.into(),
-        }
+impl fmt::Display for Unreadable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "line {}: {}", self.line, self.reason)
     }
 }
 
-/// The exact value of a decimal literal such as `8.0`, `0.125` or `1e3`.
-fn decimal(text: &str) -> Option<Rational> {
-    let text = text.replace('_', "");
-    let (mantissa, exponent) = match text.split_once(['e', 'E']) {
-        Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),
-        None => (text.as_str(), 0),
+impl std::error::Error for Unreadable {}
+
+/// The bodies of an evaluator in some emitted files, each with its place in words.
+///
+/// Files of other evaluators, and those that all evaluators share, are not read.
+///
+/// Complexity: linear in the length of the files.
+///
+/// # Errors
+///
+/// The name of a file and why it is [`Unreadable`]: it is missing, or something in it is not as it must be.
+pub fn read(
+    files: &[File],
+    evaluator: &Evaluator,
+    language: Language,
+) -> Result<Vec<(String, Reading)>, (String, Unreadable)> {
+    let (main, ending) = match language {
+        Language::Rust => ("rs", "rs"),
+        Language::C => ("c", "h"),
+        Language::Python => ("py", "py"),
     };
-    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let digits = format!("{whole}{fraction}");
-    if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
-        return None;
+    let file = |path: &str| files.iter().find(|file| file.path == path);
+    let function = spellings(&evaluator.name, |_| false)
+        .find(|function| file(&format!("{function}.{main}")).is_some())
+        .unwrap_or_else(|| evaluator.name.clone());
+    let text = |ending: &str| {
+        let path = format!("{function}.{ending}");
+        match file(&path) {
+            Some(file) => Ok((path, file.text.as_str())),
+            None => {
+                let reason = "the file is missing".to_string();
+                Err((path, Unreadable { line: 1, reason }))
+            }
+        }
+    };
+    let mut names = Names::new(evaluator, &function);
+    let (path, source) = text(main)?;
+    let unreadable = |unreadable| (path.clone(), unreadable);
+    let place = |suffix: &str| format!("{path}, `{function}{suffix}`");
+    match language {
+        Language::Rust => {
+            let reading = rust::read(source, &mut names).map_err(unreadable)?;
+            Ok(vec![(place("_body"), reading)])
+        }
+        Language::C => {
+            let (header_path, header) = text(ending)?;
+            c::read_header(header, &mut names).map_err(|unreadable| (header_path, unreadable))?;
+            let [plain, bounded] = c::read_source(source, &mut names).map_err(unreadable)?;
+            Ok(vec![
+                (place("_body"), plain),
+                (place("_with_bound"), bounded),
+            ])
+        }
+        Language::Python => {
+            let reading = python::read(source, &mut names).map_err(unreadable)?;
+            Ok(vec![(place(""), reading)])
+        }
     }
-    let value = Rational::from(digits.parse::<crate::algebra::number::Integer>().ok()?);
-    let places = exponent.checked_sub(i32::try_from(fraction.len()).ok()?)?;
-    if places.unsigned_abs() > 400 {
-        return None;
-    }
-    let scale =
-        (0..places.unsigned_abs()).fold(Rational::ONE, |scale, _| scale * Rational::from(10));
-    Some(if places < 0 {
-        value / scale
-    } else {
-        value * scale
-    })
 }

@@ -11,6 +11,7 @@ use crate::derivation::notation::Notation;
 use crate::derivation::quantity::Value;
 use crate::derivation::verdict::Condition;
 
+use super::constant::Constant;
 use super::input::Input;
 use super::translation::{entry_names, translate};
 
@@ -21,6 +22,8 @@ pub struct Specification {
     pub evaluator: Emitted,
     /// The inputs by name, as elements of the document's ring.
     pub inputs: Vec<(String, Fraction)>,
+    /// The inputs that are fixed, whose numbers stand in the text.
+    pub constants: Vec<Constant>,
     /// The outputs by name, in normal form, as the document derives them.
     pub outputs: Vec<(String, Fraction)>,
 }
@@ -80,6 +83,7 @@ impl Specification {
         let title = evaluator.description.clone();
         Ok(Specification {
             inputs: inputs.collect(),
+            constants: Vec::new(),
             outputs,
             evaluator: Emitted {
                 name: evaluator.name.ascii.clone(),

@@ -1,72 +1,149 @@
-//! Reads emitted Rust with `syn`.
+//! Reads emitted Rust: the module by its shape, its body with `syn`.
 
-use syn::{BinOp, Block, Expr, File, Item, Lit, Member, Pat, Stmt, UnOp};
+use syn::{BinOp, Block, Expr, Lit, Local, Member, Pat, Stmt, UnOp};
 
-use super::{Reading, Term, Unreadable, decimal};
+use super::cursor::{Cursor, is_word};
+use super::literal::decimal;
+use super::names::Names;
+use super::shape::{Hole, follow};
+use super::token::{Dialect, tokens};
+use super::{Reading, Term, Unreadable};
 
-/// Reads the body of the evaluator of this name: the function `<name>_body` of one argument `inputs`.
+/// What a module is.
+const MODULE: &str = include_str!("shapes/rust.txt");
+
+/// The signs of a body; no attribute, macro or reference can be written with them.
+const SIGNS: [&str; 13] = [
+    "=", ";", "+", "-", "*", "/", ".", ",", "::", ":", "(", ")", "{",
+];
+
+/// How deep brackets and signs may be nested.
+const DEEPEST: usize = 64;
+
+/// How many tokens a value may have.
+const LONGEST: usize = 1_000;
+
+/// Reads a module: structures with exactly the fields of the evaluator, and the functions on them.
 ///
 /// # Errors
 ///
-/// [`Unreadable`] where the text is no Rust, or anything but assignments and a returned structure.
-pub fn read(text: &str, name: &str) -> Result<Reading, Unreadable> {
-    let file: File = syn::parse_file(text).map_err(|error| Unreadable::new(error.to_string()))?;
-    let wanted = format!("{name}_body");
-    let mut found = file.items.iter().filter_map(|item| match item {
-        Item::Fn(function) if function.sig.ident == wanted => Some(function),
-        _ => None,
-    });
-    match (found.next(), found.next()) {
-        (Some(function), None) => body(&function.block),
-        (None, _) => Err(Unreadable::new(format!("there is no function `{wanted}`"))),
-        (Some(_), Some(_)) => Err(Unreadable::new(format!(
-            "there are two functions `{wanted}`"
-        ))),
-    }
+/// [`Unreadable`] at the first token that is not as it must be, and for the first statement of the body
+/// that is no assignment of a value.
+pub(super) fn read(text: &str, names: &mut Names) -> Result<Reading, Unreadable> {
+    let tokens = tokens(text, Dialect::Rust)?;
+    let mut cursor = Cursor::new(&tokens);
+    let mut reading = Reading::default();
+    follow(
+        MODULE,
+        Dialect::Rust,
+        names,
+        &mut cursor,
+        &mut |hole, names, cursor| {
+            if hole != Hole::Body {
+                return Err(cursor.refuse("one body"));
+            }
+            let line = cursor.line();
+            let block = block(text, cursor)?;
+            reading = body(&block, names).map_err(|reason| Unreadable { line, reason })?;
+            Ok(())
+        },
+    )?;
+    Ok(reading)
 }
 
-fn body(block: &Block) -> Result<Reading, Unreadable> {
+/// Everything before the brace that ends the function, if it is not too deep for a parser.
+fn block(text: &str, cursor: &mut Cursor<'_, '_>) -> Result<Block, Unreadable> {
+    let line = cursor.line();
+    let start = cursor.token().map_or(text.len(), |token| token.start);
+    let (mut braces, mut parentheses, mut signs, mut length) = (0_usize, 0_usize, 0, 0);
+    loop {
+        let Some(token) = cursor.token() else {
+            return Err(cursor.refuse("the end of the body"));
+        };
+        match token.text {
+            "}" if braces == 0 => break,
+            "}" => braces -= 1,
+            "{" => braces += 1,
+            "(" => parentheses += 1,
+            ")" => parentheses = parentheses.saturating_sub(1),
+            word if is_word(word) || word.starts_with(|first: char| first.is_ascii_digit()) => {}
+            sign if SIGNS.contains(&sign) => {}
+            _ => return Err(cursor.refuse("a statement")),
+        }
+        signs = if token.text == "-" { signs + 1 } else { 0 };
+        let is_behind_value = token.text == ";" || (token.text == "," && parentheses == 0);
+        length = if is_behind_value { 0 } else { length + 1 };
+        if braces + parentheses + signs > DEEPEST || length > LONGEST {
+            return Err(cursor.refuse("an expression that is shorter and less deep"));
+        }
+        cursor.advance();
+    }
+    let end = cursor.token().map_or(text.len(), |token| token.start);
+    syn::parse_str(&format!("{{{}}}", &text[start..end])).map_err(|error| Unreadable {
+        line,
+        reason: error.to_string(),
+    })
+}
+
+/// Reads the statements; why they are none, otherwise.
+fn body(block: &Block, names: &Names) -> Result<Reading, String> {
     let mut reading = Reading::default();
     let Some((last, statements)) = block.stmts.split_last() else {
-        return Err(Unreadable::new("an empty body"));
+        return Err("an empty body".into());
     };
     for statement in statements {
         let Stmt::Local(local) = statement else {
-            return Err(Unreadable::new("a statement that is no `let`"));
+            return Err("a statement that is no `let`".into());
         };
-        let name = variable(&local.pat)?;
-        let Some(init) = local.init.as_ref().filter(|init| init.diverge.is_none()) else {
-            return Err(Unreadable::new(format!("`{name}` has no plain value")));
-        };
-        match input_field(&init.expr) {
-            Some(field) if reading.assignments.is_empty() => reading.inputs.push((field, name)),
-            Some(_) => return Err(Unreadable::new("an input is read behind the first value")),
-            None => reading.assignments.push((name, term(&init.expr)?)),
-        }
+        assignment(local, names, &mut reading)?;
     }
     let Stmt::Expr(Expr::Struct(returned), None) = last else {
-        return Err(Unreadable::new("the body does not end in a structure"));
+        return Err("the body does not end in a structure".into());
     };
-    if returned.rest.is_some() {
-        return Err(Unreadable::new(
-            "the returned structure takes fields from another",
-        ));
+    if returned.rest.is_some()
+        || !returned
+            .path
+            .is_ident(&format!("{}Outputs", names.type_prefix()))
+    {
+        return Err("the body does not end in a structure of its outputs".into());
     }
     for field in &returned.fields {
         let Member::Named(name) = &field.member else {
-            return Err(Unreadable::new("a field without a name"));
+            return Err("a field without a name".into());
         };
-        reading.outputs.push((name.to_string(), term(&field.expr)?));
+        let name = name.to_string();
+        let Some(quantity) = names.output(&name) else {
+            return Err(format!("`{name}` is no output"));
+        };
+        let value = term(&field.expr).map_err(|reason| format!("{reason} in `{name}`"))?;
+        reading.outputs.push((quantity.to_string(), value));
     }
     Ok(reading)
 }
 
-fn variable(pattern: &Pat) -> Result<String, Unreadable> {
-    match pattern {
+/// `let t1 = a * b;`
+fn assignment(local: &Local, names: &Names, reading: &mut Reading) -> Result<(), String> {
+    let variable = match &local.pat {
         Pat::Ident(name) if name.by_ref.is_none() && name.mutability.is_none() => {
-            Ok(name.ident.to_string())
+            name.ident.to_string()
         }
-        _ => Err(Unreadable::new("a pattern that is no plain variable")),
+        _ => return Err("a pattern that is no plain variable".into()),
+    };
+    if variable == "inputs" {
+        return Err("`inputs` gets another meaning".into());
+    }
+    let Some(init) = local.init.as_ref().filter(|init| init.diverge.is_none()) else {
+        return Err(format!("`{variable}` has no plain value"));
+    };
+    match input_field(&init.expr) {
+        Some(field) => reading
+            .load(names, &field, variable, 0)
+            .map_err(|unreadable| unreadable.reason),
+        None => {
+            let value = term(&init.expr).map_err(|reason| format!("{reason} in `{variable}`"))?;
+            reading.assignments.push((variable, value));
+            Ok(())
+        }
     }
 }
 
@@ -81,21 +158,19 @@ fn input_field(expression: &Expr) -> Option<String> {
     base.path.is_ident("inputs").then(|| name.to_string())
 }
 
-fn term(expression: &Expr) -> Result<Term, Unreadable> {
-    let boxed = |expression: &Expr| Ok(Box::new(term(expression)?));
+fn term(expression: &Expr) -> Result<Term, String> {
+    let boxed = |expression: &Expr| Ok::<_, String>(Box::new(term(expression)?));
     match expression {
         Expr::Paren(inner) => term(&inner.expr),
         Expr::Path(path) => match path.path.get_ident() {
             Some(name) => Ok(Term::Name(name.to_string())),
-            None => Err(Unreadable::new("a path that is no variable")),
+            None => Err("a path that is no variable".into()),
         },
         Expr::Lit(literal) => match &literal.lit {
-            Lit::Float(number) if number.suffix().is_empty() => decimal(number.base10_digits())
+            Lit::Float(number) => decimal(&number.to_string())
                 .map(Term::Number)
-                .ok_or_else(|| Unreadable::new(format!("the number {number}"))),
-            _ => Err(Unreadable::new(
-                "a literal that is no plain floating-point number",
-            )),
+                .ok_or_else(|| format!("the number {number}")),
+            _ => Err("a literal that is no floating-point number".into()),
         },
         Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
             Ok(Term::Negative(boxed(&unary.expr)?))
@@ -107,10 +182,10 @@ fn term(expression: &Expr) -> Result<Term, Unreadable> {
                 BinOp::Sub(_) => Ok(Term::Subtract(left, right)),
                 BinOp::Mul(_) => Ok(Term::Multiply(left, right)),
                 BinOp::Div(_) => Ok(Term::Divide(left, right)),
-                _ => Err(Unreadable::new("an operator that is not one of + − · /")),
+                _ => Err("an operator that is not one of + − · /".into()),
             }
         }
-        Expr::MethodCall(call) => {
+        Expr::MethodCall(call) if call.turbofish.is_none() => {
             let receiver = boxed(&call.receiver)?;
             let arguments: Vec<&Expr> = call.args.iter().collect();
             match (call.method.to_string().as_str(), arguments.as_slice()) {
@@ -118,36 +193,29 @@ fn term(expression: &Expr) -> Result<Term, Unreadable> {
                     Box::new(Term::Multiply(receiver, boxed(factor)?)),
                     boxed(summand)?,
                 )),
-                ("sqrt" | "square_root", []) => Ok(Term::SquareRoot(receiver)),
-                (name, _) => Err(Unreadable::new(format!("a call of `{name}`"))),
+                ("square_root", []) => Ok(Term::SquareRoot(receiver)),
+                (name, _) => Err(format!("a call of `{name}`")),
             }
         }
         Expr::Call(call) => constant(call),
-        _ => Err(Unreadable::new("an expression that is no arithmetic")),
+        _ => Err("an expression that is no arithmetic".into()),
     }
 }
 
 /// `T::constant(2.0)`
-fn constant(call: &syn::ExprCall) -> Result<Term, Unreadable> {
+fn constant(call: &syn::ExprCall) -> Result<Term, String> {
     let Expr::Path(function) = call.func.as_ref() else {
-        return Err(Unreadable::new("a call of what is no function"));
+        return Err("a call of what is no function".into());
     };
-    let segments: Vec<String> = function
-        .path
-        .segments
-        .iter()
-        .map(|segment| segment.ident.to_string())
-        .collect();
+    let segments = function.path.segments.iter();
+    let segments: Vec<String> = segments.map(|segment| segment.ident.to_string()).collect();
     let arguments: Vec<&Expr> = call.args.iter().collect();
     match (segments.as_slice(), arguments.as_slice()) {
         ([of, name], [value]) if of == "T" && name == "constant" => match term(value)? {
             number @ Term::Number(_) => Ok(number),
             Term::Negative(inner) if matches!(*inner, Term::Number(_)) => Ok(Term::Negative(inner)),
-            _ => Err(Unreadable::new("a constant that is no literal")),
+            _ => Err("a constant that is no literal".into()),
         },
-        _ => Err(Unreadable::new(format!(
-            "a call of `{}`",
-            segments.join("::")
-        ))),
+        _ => Err(format!("a call of `{}`", segments.join("::"))),
     }
 }

@@ -1,0 +1,514 @@
+//! What is emitted is proven, and what a proof asks of a text.
+
+use proptest::prelude::*;
+use sextic::algebra::arithmetic::Arithmetic;
+use sextic::algebra::budget::Budget;
+use sextic::algebra::generator::Generator;
+use sextic::algebra::number::Rational;
+use sextic::algebra::ring::Ring;
+use sextic::compile::constant::Constant;
+use sextic::compile::proof::prove_files;
+use sextic::compile::reading::read;
+use sextic::compile::specification::Specification;
+use sextic_codegen::evaluator::Evaluator;
+use sextic_codegen::language::{File, Language, emit};
+use sextic_codegen::program::{Operation, Program};
+
+use super::{assert_locked, files_of, paper, specifications};
+
+#[test]
+fn every_emitted_file_is_proven() {
+    let mut audit = paper();
+    let specifications = specifications(&mut audit);
+    assert_eq!(specifications.len(), 10);
+    let mut statements = Vec::new();
+    for specification in specifications {
+        for language in Language::ALL {
+            let files = files_of(&specification, language);
+            audit.elaborator.fresh();
+            let proof = prove_files(&files, &specification, language, &mut audit.elaborator.ring);
+            let name = &specification.evaluator.name;
+            match proof {
+                Ok(proof) => statements.push(format!("{name}: {proof}")),
+                Err(doubt) => panic!("{name}: {doubt}"),
+            }
+        }
+    }
+    assert_locked("proofs", &statements.join("\n"));
+}
+
+/// An evaluator of a + λ + b², whose names are free in no language, and its files.
+struct Sample {
+    specification: Specification,
+    ring: Ring,
+}
+
+impl Sample {
+    fn new() -> Self {
+        let mut program = Program::new(["a", "lambda", "b"].map(String::from));
+        let [a, lambda, b] = ["a", "lambda", "b"].map(|name| program.input(name).unwrap());
+        let sum = program.push(Operation::Add(a, lambda));
+        let square = program.push(Operation::Multiply(b, b));
+        let result = program.push(Operation::Add(sum, square));
+        program.output("I", result);
+        let mut ring = Ring::new(Budget::unlimited());
+        let inputs = ["a", "lambda", "b"].map(|name| {
+            let generator = Generator::Constant {
+                name: name.to_owned(),
+            };
+            let symbol = ring.symbol(generator).unwrap();
+            (name.to_owned(), ring.element(symbol))
+        });
+        let square = ring.product(&inputs[2].1, &inputs[2].1).unwrap();
+        let sum = ring.sum(&inputs[0].1, &inputs[1].1).unwrap();
+        let result = ring.sum(&sum, &square).unwrap();
+        let specification = Specification {
+            evaluator: Evaluator::plain("match", program),
+            inputs: inputs.to_vec(),
+            constants: Vec::new(),
+            outputs: vec![("I".to_owned(), result)],
+        };
+        Sample {
+            specification,
+            ring,
+        }
+    }
+
+    fn files(&self, language: Language) -> Vec<File> {
+        emit(
+            std::slice::from_ref(&self.specification.evaluator),
+            language,
+        )
+        .unwrap()
+    }
+
+    /// What is said of the files after some replacements in them, each of which must change something.
+    fn judged(&mut self, language: Language, replacements: &[(&str, &str)]) -> Result<(), String> {
+        let mut files = self.files(language);
+        files.retain(|file| file.path.starts_with("match"));
+        for (old, new) in replacements {
+            assert!(
+                files.iter().any(|file| file.text.contains(old)),
+                "{language}: {old}"
+            );
+            for file in &mut files {
+                file.text = file.text.replace(old, new);
+            }
+        }
+        let proof = prove_files(&files, &self.specification, language, &mut self.ring);
+        proof.map(|_| ()).map_err(|doubt| doubt.to_string())
+    }
+}
+
+#[test]
+fn renamed_quantities_are_followed() {
+    for language in Language::ALL {
+        assert_eq!(Sample::new().judged(language, &[]), Ok(()), "{language}");
+    }
+}
+
+#[test]
+fn a_doubt_says_where_and_what() {
+    let mut sample = Sample::new();
+    for (language, old, new, expected) in [
+        (
+            Language::C,
+            "a + lambda + b * b",
+            "a + lambda - b * b",
+            "match.c, `match_body`: the output `I` is computed by other operations than those of the program",
+        ),
+        (
+            Language::C,
+            "return match_body(inputs);",
+            "return match_body(0);",
+            "match.c, line 28: `0` stands where `inputs` is expected",
+        ),
+        (
+            Language::C,
+            "    double lambda;",
+            "    float lambda;",
+            "match.h, line 22: `float` stands where the declaration of `lambda` is expected",
+        ),
+        (
+            Language::Python,
+            "I = a + lambda_ + b * b",
+            "I = a + lambda_ + b ** b",
+            "match_.py, line 64: `**` stands where the end of the line is expected",
+        ),
+        (
+            Language::Rust,
+            "b.multiply_add(b, a + lambda)",
+            "b.multiply_add(c, a + lambda)",
+            "match_.rs, `match__body`: `c` is not assigned before",
+        ),
+        (
+            Language::Rust,
+            "b.multiply_add(b, a + lambda)",
+            "b.multiply_add(b, a + 0.1)",
+            "match_.rs, `match__body`: 1/10 is no double",
+        ),
+    ] {
+        assert_eq!(
+            sample.judged(language, &[(old, new)]),
+            Err(expected.to_owned()),
+            "{new}"
+        );
+    }
+    let missing = prove_files(&[], &sample.specification, Language::C, &mut sample.ring);
+    let doubt = missing.unwrap_err().to_string();
+    assert_eq!(doubt, "match.c, line 1: the file is missing");
+}
+
+#[test]
+fn operations_are_the_same_to_the_bit() {
+    let mut sample = Sample::new();
+    let own = "a + lambda_ + b * b";
+    for (text, is_same) in [
+        ("b * b + (lambda_ + a)", true),
+        ("a + lambda_ - -b * b", true),
+        ("-(-a - lambda_ - b * b)", false),
+        ("a - -lambda_ - -(b * b)", true),
+        ("a + (lambda_ + b * b)", false),
+        ("a + b * b + lambda_", false),
+        ("(a + lambda_) * 1.0 + b * b", false),
+        ("a + lambda_ + b * b + 0.0", false),
+    ] {
+        let verdict = sample.judged(Language::Python, &[(own, text)]);
+        assert_eq!(verdict.is_ok(), is_same, "{text}: {verdict:?}");
+    }
+}
+
+/// Texts that read as something else than they are, and others that no body is.
+#[test]
+fn nothing_is_hidden_from_a_reader() {
+    let mut sample = Sample::new();
+    for (language, old, new) in [
+        (
+            Language::C,
+            "/* No two of them overlap. */",
+            "// No two of them overlap.",
+        ),
+        (
+            Language::C,
+            "/* No two of them overlap. */",
+            "/* *\\\n/ inputs = 0; /* */",
+        ),
+        (
+            Language::C,
+            "/* No two of them overlap. */",
+            "/* *??/\n/ inputs = 0; /* */",
+        ),
+        (
+            Language::C,
+            "#include <math.h>",
+            "#include <math.h>\n#define a b",
+        ),
+        (
+            Language::C,
+            "#include <math.h>",
+            "#include <math.h> /*\n#define a b */",
+        ),
+        (
+            Language::C,
+            "#include <math.h>",
+            "#include <math.h>\n%:define a b",
+        ),
+        (
+            Language::C,
+            "double lambda;",
+            "double b;\n    double lambda;",
+        ),
+        (Language::C, "b * b", "b * b, 0.0"),
+        (Language::C, "b * b", "b * b; a"),
+        (Language::C, "b * b", "1 / 3"),
+        (Language::C, "b * b", "(b * b)(a)"),
+        (
+            Language::C,
+            "sextic_exact(inputs->b)",
+            "sextic_exact(inputs->a)",
+        ),
+        (Language::C, "sextic_exact(inputs->b)", "sextic_exact(2.0)"),
+        (Language::C, "extern \"C\" {", "extern \"C\" { int x;"),
+        (
+            Language::Python,
+            "import numpy as np",
+            "# coding: utf-7\nimport numpy as np",
+        ),
+        (Language::Python, "import numpy as np", "import cupy as np"),
+        (Language::Python, "b * b", "b * b; a = b"),
+        (Language::Python, "    I = a", "    if a: I = a"),
+        (Language::Python, "    I = a", "        I = a"),
+        (Language::Python, "    I = a", "    I += a"),
+        (Language::Python, "    I = a", "    np = a\n    I = a"),
+        (
+            Language::Python,
+            "dtype=np.float64)\n    I",
+            "dtype=np.float32)\n    I",
+        ),
+        (Language::Python, "b * b", "(b * b\n    )"),
+        (
+            Language::Python,
+            "        np.shape(inputs.a),\n",
+            "        np.shape(inputs.a),\n        \"\"\"x\"\"\"\n",
+        ),
+        (
+            Language::Rust,
+            "use super::lanes::Lanes;",
+            "use super::lanes::Lanes; use super::bounded::*;",
+        ),
+        (
+            Language::Rust,
+            "use super::lanes::Lanes;",
+            "/* use super::lanes::Lanes; */",
+        ),
+        (
+            Language::Rust,
+            "    let b = inputs.b;",
+            "    #[cfg(any())]\n    let b = inputs.b;",
+        ),
+        (
+            Language::Rust,
+            "    let b = inputs.b;",
+            "    let b = inputs.b;\n    let b = a;",
+        ),
+        (
+            Language::Rust,
+            "    let b = inputs.b;",
+            "    let b = { inputs.b };",
+        ),
+        (
+            Language::Rust,
+            "    let b = inputs.b;",
+            "    let b = inputs.b; return;",
+        ),
+        (
+            Language::Rust,
+            "    let b = inputs.b;",
+            "    let b: T = inputs.b;",
+        ),
+        (
+            Language::Rust,
+            "    let b = inputs.b;",
+            "    let mut b = inputs.b;",
+        ),
+        (
+            Language::Rust,
+            "    let b = inputs.b;",
+            "    let b = dbg!(inputs.b);",
+        ),
+        (Language::Rust, "multiply_add(b,", "multiply_add::<T>(b,"),
+        (Language::Rust, "MatchOutputs {", "Other {"),
+        (Language::Rust, "start += N;", "start += 1;"),
+        (Language::Rust, "load_tail(inputs.b", "load_tail(inputs.a"),
+    ] {
+        let verdict = sample.judged(language, &[(old, new)]);
+        assert!(verdict.is_err(), "{language}: {new}");
+    }
+}
+
+#[test]
+fn comments_are_free() {
+    let mut sample = Sample::new();
+    for (language, old, new) in [
+        (
+            Language::C,
+            "/* No two of them overlap. */",
+            "/* a = b; */ /* ' \" # // */",
+        ),
+        (
+            Language::Python,
+            "\"\"\"No unit.\"\"\"",
+            "\"\"\"a = \\\"\"\" b\"\"\"",
+        ),
+        (Language::Rust, "/// No unit.", "/// \" /* ' #[cfg(any())]"),
+    ] {
+        assert_eq!(sample.judged(language, &[(old, new)]), Ok(()), "{language}");
+    }
+}
+
+/// Of the sample, b is fixed: an input of the program, or a constant of it.
+fn fixed(value: &Rational) -> [Sample; 2] {
+    let fix = |program: Option<Program>| {
+        let mut sample = Sample::new();
+        let (name, element) = sample.specification.inputs.remove(2);
+        sample.specification.constants = vec![Constant {
+            name,
+            element,
+            lower: value.clone(),
+            upper: value.clone(),
+        }];
+        sample.specification.evaluator.inputs.remove(2);
+        if let Some(program) = program {
+            sample.specification.evaluator.program = program;
+        }
+        sample
+    };
+    let mut program = Program::new(["a", "lambda"].map(String::from));
+    let [a, lambda] = ["a", "lambda"].map(|name| program.input(name).unwrap());
+    let b = program.constant(value.clone());
+    let sum = program.push(Operation::Add(a, lambda));
+    let square = program.push(Operation::Multiply(b, b));
+    let result = program.push(Operation::Add(sum, square));
+    program.output("I", result);
+    [fix(None), fix(Some(program))]
+}
+
+/// The texts of a + λ + c in which b stands for a number: each language has its way to write it.
+fn written(language: Language, statements: &str, literal: &str) -> Vec<File> {
+    let mut program = Program::new(["a", "lambda"].map(String::from));
+    let [a, lambda] = ["a", "lambda"].map(|name| program.input(name).unwrap());
+    let sum = program.push(Operation::Add(a, lambda));
+    program.output("I", sum);
+    let files = emit(&[Evaluator::plain("match", program)], language).unwrap();
+    let change = |file: File| {
+        let replacements: &[(&str, &str)] = match language {
+            Language::Rust => &[(
+                "let I = a + lambda;",
+                "let I = b.multiply_add(b, a + lambda);",
+            )],
+            Language::Python => &[("I = a + lambda_\n", "I = a + lambda_ + b * b\n")],
+            Language::C => &[
+                (
+                    "const double I_ = a + lambda;",
+                    "const double I_ = a + lambda + b * b;",
+                ),
+                (
+                    "const sextic_bounded I_ = sextic_add(a, lambda);",
+                    "const sextic_bounded I_ = sextic_add(sextic_add(a, lambda), sextic_multiply(b, b));",
+                ),
+            ],
+        };
+        let mut text = file.text;
+        for (old, new) in replacements {
+            let fixing: Vec<String> = statements
+                .split(';')
+                .filter(|statement| !statement.is_empty())
+                .map(|name| match (language, new.contains("sextic_")) {
+                    (Language::Rust, _) => format!("let {name} = T::constant({literal});\n    "),
+                    (Language::Python, _) => format!("{name} = {literal}\n    "),
+                    (_, false) => format!("const double {name} = {literal};\n    "),
+                    (_, true) => {
+                        format!("const sextic_bounded {name} = sextic_exact({literal});\n    ")
+                    }
+                })
+                .collect();
+            text = text.replace(old, &format!("{}{new}", fixing.concat()));
+        }
+        File { text, ..file }
+    };
+    files.into_iter().map(change).collect()
+}
+
+#[test]
+fn a_fixed_input_is_the_double_nearest_to_its_value() {
+    let value = Rational::from(178) / Rational::from(10_000);
+    for language in Language::ALL {
+        for (statements, literal, is_proven) in [
+            ("b", "0.0178", true),
+            // The double itself, digit by digit.
+            (
+                "b",
+                "0.0178000000000000005434541639033341198228299617767333984375",
+                true,
+            ),
+            ("b", "0.01780000000000001", false),
+            ("b", "0.0179", false),
+            ("b", "-0.0178", false),
+            ("b", "0.0", false),
+            ("b", "0.0178 * 1.0", false),
+            ("b", "a", false),
+            ("b;b", "0.0178", false),
+            ("", "0.0178", false),
+            ("c", "0.0178", false),
+        ] {
+            let mut sample = fixed(&value).into_iter();
+            let mut judge = |mut sample: Sample| {
+                let files = written(language, statements, literal);
+                prove_files(&files, &sample.specification, language, &mut sample.ring)
+            };
+            // Digits beyond a double are another exact number than the constant of the program.
+            let input = sample.next().map(&mut judge).unwrap();
+            assert_eq!(input.is_ok(), is_proven, "{language}, {literal}: {input:?}");
+            if literal.len() < 20 {
+                let constant = sample.next().map(&mut judge).unwrap();
+                assert_eq!(
+                    constant.is_ok(),
+                    is_proven,
+                    "{language}, {literal}: {constant:?}"
+                );
+            }
+        }
+    }
+    let [mut negative, _] = fixed(&-value);
+    let files = written(Language::C, "b", "-0.0178");
+    let proof = prove_files(
+        &files,
+        &negative.specification,
+        Language::C,
+        &mut negative.ring,
+    );
+    assert!(proof.is_ok(), "{proof:?}");
+}
+
+proptest! {
+    #[test]
+    fn any_file_is_read(text in "\\PC{0,200}", place in 0_usize..3_000, length in 0_usize..40) {
+        let sample = Sample::new();
+        for language in Language::ALL {
+            let mut files = sample.files(language);
+            for file in &mut files {
+                let inside = |place: usize| {
+                    (0..=place.min(file.text.len())).rev().find(|place| file.text.is_char_boundary(*place))
+                };
+                let (start, end) = (inside(place).unwrap(), inside(place + length).unwrap());
+                file.text.replace_range(start..end, &text);
+            }
+            let _ = read(&files, &sample.specification.evaluator, language);
+        }
+    }
+
+    #[test]
+    fn any_body_is_read(words in prop::collection::vec(prop::sample::select(vec![
+        "a", "b", "let", "const", "double", "=", ";", "+", "-", "*", "/", "(", ")", "{", "}", ".", ",", "::",
+        "1.0", "sqrt", "sextic_add", "sextic_exact", "T", "constant", "multiply_add", "inputs", "\n", "\n    ",
+        "return", "np", "shape", "/*", "//", "\"", "\\", "'", "#",
+    ]), 0..60)) {
+        let sample = Sample::new();
+        for (language, end) in [
+            (Language::Rust, "let a = inputs.a;"),
+            (Language::C, "const double a = inputs->a;"),
+            (Language::Python, "a = np.asarray(inputs.a, dtype=np.float64)"),
+        ] {
+            let mut files = sample.files(language);
+            for file in &mut files {
+                file.text = file.text.replace(end, &words.join(" "));
+            }
+            let _ = read(&files, &sample.specification.evaluator, language);
+        }
+    }
+}
+
+#[test]
+fn deep_and_long_texts_are_refused() {
+    let mut sample = Sample::new();
+    for (language, own) in [
+        (Language::Rust, "b.multiply_add(b, a + lambda)"),
+        (Language::C, "a + lambda + b * b"),
+        (Language::C, "sextic_multiply(b, b)"),
+        (Language::Python, "a + lambda_ + b * b"),
+    ] {
+        for (open, middle, close) in [
+            ("(", "a", ")"),
+            ("- ", "a", ""),
+            ("", "a", " + a"),
+            ("sextic_negative(", "a", ")"),
+        ] {
+            let count = 100_000;
+            let text = format!("{}{middle}{}", open.repeat(count), close.repeat(count));
+            assert!(
+                sample.judged(language, &[(own, &text)]).is_err(),
+                "{language}"
+            );
+        }
+    }
+}
