@@ -1,5 +1,7 @@
 //! Evaluators of documents: translated, emitted, read back and proven.
 
+mod corruption;
+mod edits;
 mod proof;
 mod translation;
 

@@ -1,0 +1,235 @@
+//! Emitted texts that are changed in one place are refused: every check of them is tried by itself.
+
+use std::collections::BTreeMap;
+
+use sextic::algebra::ring::Ring;
+use sextic::compile::operations::compare;
+use sextic::compile::point::Point;
+use sextic::compile::proof::prove;
+use sextic::compile::reading::{Reading, read};
+use sextic::compile::specification::Specification;
+use sextic_codegen::evaluator::Quantity;
+use sextic_codegen::language::{File, Language};
+
+use super::edits::{Edit, Kind, edits};
+use super::{assert_locked, files_of, paper, specifications};
+
+/// So many changes of a kind are tried in a file, evenly spread over all of them.
+const MOST: usize = 120;
+
+/// So many texts that are equal at a point are proven equal by normal forms, in each file and kind.
+const PROVEN: usize = 1;
+
+/// What the algebra says of a text, without a look at its operations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Algebra {
+    DiffersAtPoint,
+    DiffersByNormalForms,
+    /// At a point; it is not in the sample that is proven.
+    Equal,
+    Proven,
+}
+
+/// What became of the changes of a kind.
+#[derive(Clone, Debug, Default)]
+struct Count {
+    possible: usize,
+    tried: usize,
+    unreadable: usize,
+    operations: usize,
+    point: usize,
+    normal_forms: usize,
+    equal: usize,
+    proven: usize,
+    /// Equal in exact algebra, by other operations.
+    rounded: Vec<String>,
+    /// Refused by nothing.
+    same: Vec<String>,
+}
+
+const COLUMNS: [&str; 10] = [
+    "",
+    "possible",
+    "tried",
+    "not read",
+    "operations",
+    "point",
+    "normal forms",
+    "equal",
+    "proven",
+    "same bits",
+];
+
+impl Count {
+    fn row(&self, title: &str) -> String {
+        let numbers = [
+            self.possible,
+            self.tried,
+            self.unreadable,
+            self.operations,
+            self.point,
+            self.normal_forms,
+            self.equal,
+            self.proven,
+            self.same.len(),
+        ];
+        let cells = numbers.iter().map(ToString::to_string);
+        row(std::iter::once(title.to_owned()).chain(cells))
+    }
+
+    fn add(&mut self, is_another: bool, algebra: Algebra, shown: impl Fn() -> String) {
+        self.operations += usize::from(is_another);
+        match algebra {
+            Algebra::DiffersAtPoint => self.point += 1,
+            Algebra::DiffersByNormalForms => self.normal_forms += 1,
+            Algebra::Equal => self.equal += 1,
+            Algebra::Proven => self.proven += 1,
+        }
+        let is_equal = matches!(algebra, Algebra::Equal | Algebra::Proven);
+        match (is_another, is_equal) {
+            (true, true) => self.rounded.push(shown()),
+            (false, true) => self.same.push(shown()),
+            (true, false) => {}
+            (false, false) => panic!("the same operations give another result: {}", shown()),
+        }
+    }
+}
+
+fn row(cells: impl Iterator<Item = String>) -> String {
+    let cells = cells.zip(COLUMNS).enumerate();
+    let cells = cells.map(|(place, (cell, column))| match place {
+        0 => format!("{cell:<37}"),
+        _ => format!("{cell:>width$}", width = column.len()),
+    });
+    cells.collect::<Vec<String>>().join(" | ")
+}
+
+/// What a point and normal forms say of a text; `sample` says how many more may be proven.
+fn examine(
+    readings: &[(String, Reading)],
+    specification: &Specification,
+    point: &Point,
+    ring: &mut Ring,
+    sample: &mut usize,
+) -> Algebra {
+    let mut is_decided = true;
+    for (_, reading) in readings {
+        match point.refute(reading, specification) {
+            Err(_) => return Algebra::DiffersAtPoint,
+            Ok(decided) => is_decided &= decided,
+        }
+    }
+    // Where a point decides nothing, normal forms always do.
+    if is_decided && *sample == 0 {
+        return Algebra::Equal;
+    }
+    *sample -= usize::from(is_decided);
+    ring.budget().refill();
+    let mut proofs = readings
+        .iter()
+        .map(|(_, reading)| prove(reading, specification, ring));
+    match proofs.all(|proof| proof.is_ok()) {
+        true => Algebra::Proven,
+        false => {
+            assert!(!is_decided, "a point and the normal forms disagree");
+            Algebra::DiffersByNormalForms
+        }
+    }
+}
+
+fn try_all(
+    files: &[File],
+    specification: &Specification,
+    language: Language,
+    ring: &mut Ring,
+    counts: &mut BTreeMap<Kind, Count>,
+) {
+    let evaluator = &specification.evaluator;
+    let names = |quantities: &[Quantity]| -> Vec<String> {
+        quantities
+            .iter()
+            .map(|quantity| quantity.name.clone())
+            .collect()
+    };
+    let point = Point::of(specification, ring);
+    for (place, file) in files.iter().enumerate() {
+        let all = edits(
+            file,
+            language,
+            &names(&evaluator.inputs),
+            &names(&evaluator.outputs),
+        );
+        for kind in Kind::ALL {
+            let of_kind: Vec<&Edit> = all.iter().filter(|edit| edit.kind == kind).collect();
+            let count = counts.entry(kind).or_default();
+            count.possible += of_kind.len();
+            let step = of_kind.len().div_ceil(MOST).max(1);
+            let mut sample = PROVEN;
+            for edit in of_kind.into_iter().step_by(step) {
+                let mut corrupt = files.to_vec();
+                corrupt[place].text = edit.apply(&file.text);
+                count.tried += 1;
+                let Ok(readings) = read(&corrupt, evaluator, language) else {
+                    count.unreadable += 1;
+                    continue;
+                };
+                let compare = |(_, reading): &(String, Reading)| compare(reading, specification);
+                let is_another = readings.iter().map(compare).any(|verdict| verdict.is_err());
+                let algebra = examine(&readings, specification, &point, ring, &mut sample);
+                let shown = || format!("{}: {}", file.path, edit.shown(&file.text));
+                count.add(is_another, algebra, shown);
+            }
+        }
+    }
+}
+
+fn corrupt_all(language: Language) {
+    let mut audit = paper();
+    let mut counts: BTreeMap<Kind, Count> = BTreeMap::new();
+    for specification in specifications(&mut audit) {
+        let files = files_of(&specification, language);
+        audit.elaborator.fresh();
+        let ring = &mut audit.elaborator.ring;
+        try_all(&files, &specification, language, ring, &mut counts);
+    }
+    let mut lines = vec![row(COLUMNS.into_iter().map(str::to_owned))];
+    let (mut rounded, mut same) = (Vec::new(), Vec::new());
+    for (kind, count) in counts.iter().filter(|(_, count)| count.possible > 0) {
+        lines.push(count.row(kind.title()));
+        match kind {
+            // Both orders give the same bits.
+            Kind::Order => assert_eq!(count.same.len(), count.tried),
+            // −(a·b) and (−a)·b are the same double.
+            Kind::Parentheses => same.extend(count.same.clone()),
+            _ => assert_eq!(count.same, Vec::<String>::new(), "{kind:?}"),
+        }
+        // Without parentheses another sum or product is formed first.
+        if !matches!(kind, Kind::Order | Kind::Parentheses) {
+            rounded.extend(count.rounded.clone());
+        }
+    }
+    same.sort();
+    rounded.sort();
+    lines.push(
+        "\nEqual in exact algebra, refused for their operations, but for parentheses:".to_owned(),
+    );
+    lines.extend(rounded);
+    lines.push("\nThe same to the bit, but for orders; not refused:".to_owned());
+    lines.extend(same);
+    assert_locked(&format!("corruption-{language}"), &lines.join("\n"));
+}
+
+#[test]
+fn corrupt_rust_is_refused() {
+    corrupt_all(Language::Rust);
+}
+
+#[test]
+fn corrupt_c_is_refused() {
+    corrupt_all(Language::C);
+}
+
+#[test]
+fn corrupt_python_is_refused() {
+    corrupt_all(Language::Python);
+}
