@@ -8,6 +8,7 @@ mod laws;
 mod literals;
 mod optimiser;
 mod origins;
+mod pairs;
 mod printers;
 mod python;
 mod rounding;

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use insta::assert_snapshot;
 use sextic_codegen::evaluator::{Evaluator, Origin, Quantity, Rounding};
-use sextic_codegen::language::{Error, Language, emit};
+use sextic_codegen::language::{Error, Language, MARK, emit};
 use sextic_codegen::program::{Operation, Program, Rational};
 
 use crate::samples;
@@ -39,6 +39,16 @@ fn one_file_a_language() {
         (Language::Python, "__init__.py"),
     ] {
         locked(&format!("{language}-{path}"), text(language, path));
+    }
+}
+
+#[test]
+fn every_file_says_near_its_beginning_that_it_is_generated() {
+    for language in Language::ALL {
+        for file in emit(&samples::all(), language).unwrap() {
+            let place = file.text.find(MARK);
+            assert!(place.is_some_and(|place| place < 2000), "{}", file.path);
+        }
     }
 }
 

@@ -1,13 +1,11 @@
 //! The measure of rounding errors, measured.
 
-use proptest::prelude::*;
-use sextic_codegen::evaluator::Evaluator;
+use sextic_codegen::evaluator::{Angle, Circular, Evaluator, Fixed, Function, Origin, Quantity};
 use sextic_codegen::program::{Operation, Program, Rational};
 use sextic_codegen::rounding::{
     Domain, Interval, Unmeasured, evaluate, evaluate_closely, evaluate_exactly, measure, units,
 };
 
-use crate::laws::drawn;
 use crate::samples::{self, rational};
 
 /// An evaluator of a program, and 1 to 2 for each of its inputs.
@@ -164,51 +162,40 @@ fn the_percentile_leaves_out_one_point_of_a_hundred() {
     assert!(rounding.percentile_99[0] < 100.0, "{rounding:?}");
 }
 
-proptest! {
-    /// The error at one point is the distance of the double from the rational, whichever way it was found.
-    #[test]
-    fn an_error_is_the_distance_from_the_exact_value(
-        program in drawn(),
-        point in prop::collection::vec(number(), 3),
-    ) {
-        let evaluator = Evaluator::plain("f", program.clone());
-        let exact: Vec<Rational> = point
-            .iter()
-            .map(|value| Rational::try_from(*value).unwrap())
-            .collect();
-        let names = ["x", "y", "z"].map(str::to_owned);
-        let interval = |value: &Rational| Interval { from: value.clone(), to: value.clone() };
-        let domain = Domain {
-            intervals: names.into_iter().zip(exact.iter().map(interval)).collect(),
-            text: String::new(),
-        };
-        let found = evaluate(&program, &point).unwrap();
-        let exact = evaluate_closely(&program, &exact, 500);
-        let pairs = found.iter().zip(exact);
-        let errors: Option<Vec<f64>> = pairs
-            .map(|(found, exact)| Some(units(*found, &exact?)))
-            .collect();
-        match (measure(&evaluator, &domain, 1, 1), errors) {
-            (Ok(rounding), Some(errors)) => {
-                for (measured, error) in rounding.largest.iter().zip(errors) {
-                    let close = (measured - error).abs() <= 2e-6 * error.max(1.0);
-                    prop_assert!(close || *measured == error, "{measured} is not {error}");
-                }
-            }
-            (Err(Unmeasured::NoPoint), None) => {}
-            // Roots that cancel are known to no number of bits.
-            (Err(Unmeasured::NoPoint), Some(_)) => {}
-            (measured, errors) => prop_assert!(false, "{measured:?} {errors:?}"),
+#[test]
+fn fixed_angles_are_drawn_where_they_are() {
+    for (alpha, beta) in [("3/10", "1/10"), ("-40", "7/2"), ("0", "0"), ("1000", "-1")] {
+        let mut program = Program::new(["c".to_owned(), "s".to_owned()]);
+        let number = |text: &str| text.parse::<Rational>().unwrap();
+        let angle = 3.0 * number(alpha).to_f64().value() - number(beta).to_f64().value();
+        // √(10⁻²⁰ − (c − cos(3·α − β))²) is real only next to it.
+        for (name, value) in [("c", angle.cos()), ("s", angle.sin())] {
+            let value = program.constant(Rational::try_from(value).unwrap());
+            let offset = program.push(Operation::Subtract(program.input(name).unwrap(), value));
+            let square = program.push(Operation::Multiply(offset, offset));
+            let near = program.constant(Rational::from(10).pow(-20));
+            let rest = program.push(Operation::Subtract(near, square));
+            let root = program.push(Operation::SquareRoot(rest));
+            program.output(format!("near_{name}"), root);
         }
+        let mut evaluator = Evaluator::plain("f", program);
+        let fixed = |name: &str, value: &str| Angle {
+            quantity: Quantity::plain(name),
+            fixed: Some(Fixed {
+                value: number(value),
+                text: String::new(),
+            }),
+        };
+        evaluator.angles = vec![fixed("alpha", alpha), fixed("beta", beta)];
+        for (input, function) in evaluator
+            .inputs
+            .iter_mut()
+            .zip([Function::Cosine, Function::Sine])
+        {
+            let angle = vec![(3, "alpha".to_owned()), (-1, "beta".to_owned())];
+            input.origin = Origin::Circular(Circular { function, angle });
+        }
+        let rounding = measure(&evaluator, &domain(&evaluator, 0, 1), 2, 1);
+        assert!(rounding.is_ok(), "{alpha} {beta}: {rounding:?}");
     }
-}
-
-/// Doubles of all sizes, and those next to simple numbers, which cancel.
-fn number() -> impl Strategy<Value = f64> {
-    let simple = (-9..10_i32, -2..3_i32);
-    prop_oneof![
-        3 => -4.0..4.0_f64,
-        3 => simple.prop_map(|(number, off)| f64::from(number) * (1.0 + f64::from(off) * f64::EPSILON)),
-        1 => (-4.0..4.0_f64, -300..300_i32).prop_map(|(number, power)| number * 10.0_f64.powi(power)),
-    ]
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use sextic_codegen::language::{Language, emit};
+use sextic_codegen::language::Language;
 
 use crate::consumer;
 
@@ -76,20 +76,5 @@ fn without_the_standard_library_the_bits_are_the_same() {
             own == standard || root.is_sign_negative(),
             "√{root:e}: {line}"
         );
-    }
-}
-
-#[test]
-fn the_crate_without_evaluators_is_as_checked_in() {
-    // What is checked in may have evaluators; what they build on is always the same.
-    for file in emit(&[], Language::Rust).unwrap() {
-        if file.path != "lib.rs" {
-            let found = data(&format!("evaluators/src/{}", file.path));
-            assert!(
-                found == file.text,
-                "codegen/evaluators/src/{} is not what codegen/templates/rust says",
-                file.path
-            );
-        }
     }
 }

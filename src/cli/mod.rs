@@ -1,6 +1,9 @@
 //! The command line: one file a subcommand; nothing else reads or writes files.
 
 mod audit;
+mod evaluate;
+mod folder;
+mod generate;
 mod match_coefficients;
 mod output;
 mod source;
@@ -45,6 +48,8 @@ struct Arguments {
 enum Command {
     Audit(audit::Arguments),
     Match(match_coefficients::Arguments),
+    Generate(generate::Arguments),
+    Evaluate(evaluate::Arguments),
 }
 
 const EXIT_STATUS: &str = "\
@@ -60,6 +65,8 @@ pub fn run() -> ExitCode {
     let outcome = match Arguments::parse().command {
         Command::Audit(arguments) => audit::run(&arguments),
         Command::Match(arguments) => match_coefficients::run(&arguments),
+        Command::Generate(arguments) => generate::run(&arguments),
+        Command::Evaluate(arguments) => evaluate::run(&arguments),
     };
     outcome.into()
 }

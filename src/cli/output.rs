@@ -27,6 +27,15 @@ pub enum Format {
     Latex,
 }
 
+/// How numbers are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Results {
+    /// For a terminal
+    Text,
+    /// For programs
+    Json,
+}
+
 /// Writes results, with colours only where they are seen.
 ///
 /// A reader who has seen enough closes the pipe: that is no mistake of anybody.

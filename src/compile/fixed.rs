@@ -53,6 +53,26 @@ pub fn number_of(text: &str) -> Option<Rational> {
     }
 }
 
+/// A number as a decimal where it has one of at most 20 places, else as a fraction.
+pub fn written(value: &Rational) -> String {
+    for places in 0..=20_usize {
+        let scaled = value * Rational::from(Integer::from(10).pow(places));
+        if !scaled.is_int() {
+            continue;
+        }
+        let scaled = scaled.numerator().to_string();
+        let (sign, digits) = match scaled.strip_prefix('-') {
+            Some(digits) => ("-", digits),
+            None => ("", scaled.as_str()),
+        };
+        let digits = format!("{digits:0>width$}", width = places + 1);
+        let (whole, fraction) = digits.split_at(digits.len() - places);
+        let point = if places == 0 { "" } else { "." };
+        return format!("{sign}{whole}{point}{fraction}");
+    }
+    value.to_string()
+}
+
 fn signed(text: &str) -> Option<Rational> {
     match text.strip_prefix('-') {
         Some(text) => decimal(text).map(|value| -value),
@@ -108,6 +128,16 @@ mod tests {
             "", "-", "1,5", "1/0", "1/-2", "0x10", "1e999", "nan", "1 2", "--1", "1_000",
         ] {
             assert_eq!(number_of(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn numbers_are_written_as_they_are_read() {
+        for text in ["0", "-3", "0.0178", "-12.5", "1/3", "-22/7"] {
+            assert_eq!(
+                number_of(text).map(|number| written(&number)).as_deref(),
+                Some(text)
+            );
         }
     }
 

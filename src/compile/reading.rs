@@ -5,6 +5,7 @@
 
 mod c;
 mod cursor;
+mod door;
 mod infix;
 mod literal;
 pub(super) mod names;

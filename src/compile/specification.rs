@@ -1,31 +1,41 @@
 //! What an evaluator of a document is to compute, and the program that is to compute it.
 
+mod fixing;
+mod validity;
+
 use sextic_codegen::evaluator::{Angle, Evaluator as Emitted, Input as EmittedInput, Quantity};
 
 use crate::algebra::fraction::Fraction;
+use crate::algebra::symbol::Symbol;
 use crate::derivation::audit::Audit;
-use crate::derivation::condition::Requirement;
+use crate::derivation::condition::Conditions;
 use crate::derivation::diagnostic::Diagnostic;
-use crate::derivation::evaluator::Evaluator;
-use crate::derivation::notation::Notation;
-use crate::derivation::quantity::Value;
-use crate::derivation::verdict::Condition;
+use crate::derivation::evaluator::{Evaluator, Output};
+use crate::derivation::syntax::{Expression, Node, Place};
 
 use super::constant::Constant;
+use super::fingerprint::fingerprint;
+use super::fixed::Fixed;
 use super::input::Input;
-use super::translation::{entry_names, translate};
+use super::translation::{Translated, entry_names, translate};
 
 /// An evaluator with the elements of the ring that its inputs and outputs stand for.
 #[derive(Clone, Debug)]
 pub struct Specification {
     /// What is emitted.
     pub evaluator: Emitted,
-    /// The inputs by name, as elements of the document's ring.
+    /// The inputs by name, as elements of the document's ring; those that are fixed are not among them.
     pub inputs: Vec<(String, Fraction)>,
     /// The inputs that are fixed, whose numbers stand in the text.
     pub constants: Vec<Constant>,
     /// The outputs by name, in normal form, as the document derives them.
     pub outputs: Vec<(String, Fraction)>,
+    /// The names that were fixed, also those that are gone from the program.
+    pub fixed: Vec<String>,
+    /// The symbols of the ring that the inputs of the program are.
+    symbols: Vec<Symbol>,
+    /// What its steps divided by and took roots of.
+    conditions: Conditions,
 }
 
 /// Why an evaluator cannot be compiled.
@@ -35,37 +45,83 @@ pub enum Refusal {
     Document(Box<Diagnostic>),
     /// No program computes an output.
     Program(String),
+    /// A quantity cannot have the number that it is given: its name, and why.
+    Number(String, String),
+}
+
+impl Refusal {
+    fn document(error: Diagnostic) -> Self {
+        Refusal::Document(Box::new(error))
+    }
 }
 
 impl Specification {
+    /// An evaluator that computes these outputs of these inputs, by name, under no condition.
+    pub fn new(
+        evaluator: Emitted,
+        inputs: Vec<(String, Fraction)>,
+        outputs: Vec<(String, Fraction)>,
+    ) -> Self {
+        Specification {
+            evaluator,
+            inputs,
+            outputs,
+            constants: Vec::new(),
+            fixed: Vec::new(),
+            symbols: Vec::new(),
+            conditions: Conditions::default(),
+        }
+    }
+
     /// Works out what an evaluator of an audited document is to compute, and translates it.
+    ///
+    /// Of the quantities that are fixed, those that it does not rest on change nothing. Where one is 0 or
+    /// ±1 the program becomes simpler; the numbers of others are constants of the text.
     ///
     /// # Errors
     ///
     /// [`Refusal`]
-    pub fn of(
-        evaluator: &Evaluator,
-        audit: &mut Audit,
-        hash: &str,
-        command: &str,
-    ) -> Result<Self, Refusal> {
+    pub fn of(evaluator: &Evaluator, audit: &mut Audit, fixed: &[Fixed]) -> Result<Self, Refusal> {
+        let general = Specification::translated(evaluator, audit)?;
+        let fixed: Vec<&Fixed> = fixed
+            .iter()
+            .filter(|fixed| general.rests_on(&fixed.name))
+            .collect();
+        if fixed.is_empty() {
+            return Ok(general);
+        }
+        let replacements = fixing::replacements(&fixed, &general, audit)?;
+        let mut special = match replacements.is_empty() {
+            true => general,
+            false => {
+                let place = Place::Replacements(replacements);
+                // The caller of the program answers for what the document assumes of all inputs.
+                audit.elaborator.trusts_replacements = true;
+                let special = Specification::translated(&at(evaluator, &place), audit);
+                audit.elaborator.trusts_replacements = false;
+                special?
+            }
+        };
+        special.fix(&fixed);
+        Ok(special)
+    }
+
+    /// The specification of an evaluator of which nothing is fixed.
+    fn translated(evaluator: &Evaluator, audit: &mut Audit) -> Result<Self, Refusal> {
         let elaborator = &mut audit.elaborator;
         elaborator.fresh();
         let (mut outputs, mut shown) = (Vec::new(), Vec::new());
         for output in &evaluator.outputs {
             let value = elaborator.value(&output.expression);
-            let value: Value = value.map_err(|error| Refusal::Document(Box::new(error)))?;
+            let value = value.map_err(Refusal::document)?;
             let ascii = entry_names(&output.name.ascii, value.shape());
             let unicode = entry_names(&output.name.unicode, value.shape());
             for ((name, symbol), entry) in ascii.into_iter().zip(unicode).zip(value.entries()) {
+                let unit = entry.unit.as_ref().map(ToString::to_string);
                 shown.push(Quantity {
                     name: name.clone(),
                     symbol,
-                    unit: entry
-                        .unit
-                        .as_ref()
-                        .map(ToString::to_string)
-                        .unwrap_or_default(),
+                    unit: unit.unwrap_or_default(),
                     description: String::new(),
                 });
                 outputs.push((name, entry.value.clone()));
@@ -73,54 +129,78 @@ impl Specification {
         }
         let needed = std::mem::take(&mut elaborator.conditions);
         let conditions = elaborator.present_conditions(&needed, &evaluator.span);
-        let conditions = conditions.map_err(|error| Refusal::Document(Box::new(error)))?;
+        let conditions = conditions.map_err(Refusal::document)?;
         elaborator.fresh();
-        let translated = translate(evaluator, elaborator).map_err(Refusal::Program)?;
-        let inputs = translated
-            .inputs
-            .iter()
-            .map(|(symbol, input)| (input.name.clone(), elaborator.ring.element(*symbol)));
+        let Translated { program, inputs } =
+            translate(evaluator, elaborator).map_err(Refusal::Program)?;
         let title = evaluator.description.clone();
+        let elements = inputs.iter().map(|(symbol, input)| {
+            let element = elaborator.ring.element(*symbol);
+            (input.name.clone(), element)
+        });
+        let elements = elements.collect();
+        let emitted = Emitted {
+            name: evaluator.name.ascii.clone(),
+            title: title.unwrap_or_else(|| evaluator.name.unicode.clone()),
+            description: String::new(),
+            equations: evaluator.label.equation.iter().cloned().collect(),
+            source: audit.title.clone().unwrap_or_default(),
+            inputs: inputs.iter().map(|(_, input)| input_of(input)).collect(),
+            angles: angles(inputs.iter().map(|(_, input)| input)),
+            outputs: shown,
+            assumptions: validity::assumptions(&inputs, audit),
+            conditions: conditions.iter().map(validity::condition).collect(),
+            program,
+            command: String::new(),
+            document: audit.path.clone(),
+            hash: fingerprint(&audit.sources),
+            proof: None,
+            rounding: None,
+        };
         Ok(Specification {
-            inputs: inputs.collect(),
-            constants: Vec::new(),
-            outputs,
-            evaluator: Emitted {
-                name: evaluator.name.ascii.clone(),
-                title: title.unwrap_or_else(|| evaluator.name.unicode.clone()),
-                description: String::new(),
-                equations: evaluator.label.equation.iter().cloned().collect(),
-                source: audit.title.clone().unwrap_or_default(),
-                inputs: translated
-                    .inputs
-                    .iter()
-                    .map(|(_, input)| emitted(input))
-                    .collect(),
-                angles: angles(translated.inputs.iter().map(|(_, input)| input)),
-                outputs: shown,
-                assumptions: Vec::new(),
-                conditions: conditions.iter().map(written).collect(),
-                program: translated.program,
-                command: command.to_string(),
-                document: audit.path.clone(),
-                hash: hash.to_string(),
-                proof: None,
-                rounding: None,
-            },
+            symbols: inputs.iter().map(|(symbol, _)| *symbol).collect(),
+            conditions: needed,
+            ..Specification::new(emitted, elements, outputs)
         })
     }
-}
 
-/// `L_g ≠ 0`
-fn written(condition: &Condition) -> String {
-    let expression = Notation::Unicode.expression(&condition.expression);
-    match condition.requirement {
-        Requirement::NonZero => format!("{expression} ≠ 0"),
-        Requirement::Positive => format!("{expression} > 0"),
+    /// Whether a name is that of an input, or of an angle that inputs are made of.
+    pub fn rests_on(&self, name: &str) -> bool {
+        self.names().any(|known| known == name)
+    }
+
+    /// The names of what a user gives.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.quantities().map(|quantity| quantity.name.as_str())
+    }
+
+    /// What a user gives: inputs, and angles rather than their sines and cosines.
+    pub fn quantities(&self) -> impl Iterator<Item = &Quantity> {
+        let inputs = self.evaluator.inputs.iter();
+        let given = inputs.filter(|input| input.circular().is_none());
+        let angles = self.evaluator.angles.iter();
+        given
+            .map(|input| &input.quantity)
+            .chain(angles.map(|angle| &angle.quantity))
     }
 }
 
-fn emitted(input: &Input) -> EmittedInput {
+/// The evaluator whose outputs are taken at a place.
+fn at(evaluator: &Evaluator, place: &Place) -> Evaluator {
+    let output = |output: &Output| Output {
+        name: output.name.clone(),
+        expression: Expression {
+            span: output.expression.span.clone(),
+            node: Node::At(Box::new(output.expression.clone()), place.clone()),
+        },
+    };
+    Evaluator {
+        outputs: evaluator.outputs.iter().map(output).collect(),
+        ..evaluator.clone()
+    }
+}
+
+fn input_of(input: &Input) -> EmittedInput {
     EmittedInput {
         quantity: Quantity {
             name: input.name.clone(),

@@ -34,6 +34,8 @@ pub trait Library {
 pub struct Audit {
     /// How the document is called.
     pub path: String,
+    /// The documents that it imports, and itself last.
+    pub sources: Vec<SourceFile>,
     /// Its first heading.
     pub title: Option<String>,
     /// Its assertions, in order.
@@ -91,8 +93,11 @@ pub fn audit(source: &SourceFile, library: &dyn Library) -> Result<Audit, Box<Re
     let claims = judge
         .judge_all(&read.findings, &read.checks)
         .map_err(reject)?;
+    let mut sources = reader.finished;
+    sources.push(source.clone());
     Ok(Audit {
         path: source.path.clone(),
+        sources,
         title: read.title,
         claims,
         matchings: read.matchings,

@@ -39,6 +39,9 @@ pub struct Elaborator {
     pub scope: Scope,
     /// What the steps since the last [`Elaborator::fresh`] needed.
     pub conditions: Conditions,
+    /// Whether replacements need only be possible under the assumptions: who makes them answers for it
+    /// that the assumptions remain true.
+    pub trusts_replacements: bool,
     arguments: Vec<BTreeMap<String, Value>>,
     /// The named substitutions that were used, by ASCII name.
     substitutions: BTreeMap<String, KnownSubstitution>,
@@ -52,6 +55,7 @@ impl Elaborator {
             ring: Ring::new(budget),
             scope: Scope::default(),
             conditions: Conditions::default(),
+            trusts_replacements: false,
             arguments: Vec::new(),
             substitutions: BTreeMap::new(),
             nesting: 0,

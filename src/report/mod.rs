@@ -4,6 +4,7 @@
 //! [`markdown`] and [`latex`] lay the words out. [`json`] is for programs and shortens nothing.
 
 pub mod details;
+pub mod evaluation;
 pub mod json;
 pub mod latex;
 pub mod markdown;

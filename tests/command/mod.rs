@@ -1,5 +1,7 @@
 //! The command as a user runs it: what it prints where, and its exit status.
 
+mod generation;
+
 use std::path::PathBuf;
 use std::process::{Command, Output};
 

@@ -17,17 +17,22 @@ use super::{assert_locked, files_of, paper, specifications};
 /// So many changes of a kind are tried in a file, evenly spread over all of them.
 const MOST: usize = 120;
 
-/// So many texts that are equal at a point are proven equal by normal forms, in each file and kind.
-const PROVEN: usize = 1;
+/// Normal forms examine all texts of evaluators with fewer operations; of others, those of which a point
+/// decides nothing.
+const FEW: usize = 50;
 
 /// What the algebra says of a text, without a look at its operations.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Algebra {
-    DiffersAtPoint,
-    DiffersByNormalForms,
-    /// At a point; it is not in the sample that is proven.
-    Equal,
-    Proven,
+#[derive(Clone, Copy, Debug)]
+struct Algebra {
+    differs_at_point: bool,
+    /// By normal forms, if they were asked.
+    is_proven: Option<bool>,
+}
+
+impl Algebra {
+    fn is_equal(self) -> bool {
+        self.is_proven.unwrap_or(!self.differs_at_point)
+    }
 }
 
 /// What became of the changes of a kind.
@@ -79,14 +84,11 @@ impl Count {
 
     fn add(&mut self, is_another: bool, algebra: Algebra, shown: impl Fn() -> String) {
         self.operations += usize::from(is_another);
-        match algebra {
-            Algebra::DiffersAtPoint => self.point += 1,
-            Algebra::DiffersByNormalForms => self.normal_forms += 1,
-            Algebra::Equal => self.equal += 1,
-            Algebra::Proven => self.proven += 1,
-        }
-        let is_equal = matches!(algebra, Algebra::Equal | Algebra::Proven);
-        match (is_another, is_equal) {
+        self.point += usize::from(algebra.differs_at_point);
+        self.normal_forms += usize::from(algebra.is_proven == Some(false));
+        self.equal += usize::from(algebra.is_equal());
+        self.proven += usize::from(algebra.is_proven == Some(true));
+        match (is_another, algebra.is_equal()) {
             (true, true) => self.rounded.push(shown()),
             (false, true) => self.same.push(shown()),
             (true, false) => {}
@@ -104,36 +106,34 @@ fn row(cells: impl Iterator<Item = String>) -> String {
     cells.collect::<Vec<String>>().join(" | ")
 }
 
-/// What a point and normal forms say of a text; `sample` says how many more may be proven.
+/// What a point and normal forms say of a text, each by itself.
 fn examine(
     readings: &[(String, Reading)],
     specification: &Specification,
     point: &Point,
     ring: &mut Ring,
-    sample: &mut usize,
 ) -> Algebra {
-    let mut is_decided = true;
-    for (_, reading) in readings {
-        match point.refute(reading, specification) {
-            Err(_) => return Algebra::DiffersAtPoint,
-            Ok(decided) => is_decided &= decided,
-        }
+    let at_point = |(_, reading): &(String, Reading)| point.refute(reading, specification);
+    let at_point: Vec<_> = readings.iter().map(at_point).collect();
+    let differs_at_point = at_point.iter().any(Result::is_err);
+    let is_decided = differs_at_point || at_point.iter().all(|decided| *decided == Ok(true));
+    let is_small = specification.evaluator.cost().total() < FEW;
+    let is_proven = (is_small || !is_decided).then(|| {
+        ring.budget().refill();
+        let mut proofs = readings
+            .iter()
+            .map(|(_, reading)| prove(reading, specification, ring));
+        proofs.all(|proof| proof.is_ok())
+    });
+    if is_decided && let Some(is_proven) = is_proven {
+        assert_ne!(
+            is_proven, differs_at_point,
+            "a point and the normal forms disagree"
+        );
     }
-    // Where a point decides nothing, normal forms always do.
-    if is_decided && *sample == 0 {
-        return Algebra::Equal;
-    }
-    *sample -= usize::from(is_decided);
-    ring.budget().refill();
-    let mut proofs = readings
-        .iter()
-        .map(|(_, reading)| prove(reading, specification, ring));
-    match proofs.all(|proof| proof.is_ok()) {
-        true => Algebra::Proven,
-        false => {
-            assert!(!is_decided, "a point and the normal forms disagree");
-            Algebra::DiffersByNormalForms
-        }
+    Algebra {
+        differs_at_point,
+        is_proven,
     }
 }
 
@@ -145,26 +145,22 @@ fn try_all(
     counts: &mut BTreeMap<Kind, Count>,
 ) {
     let evaluator = &specification.evaluator;
-    let names = |quantities: &[Quantity]| -> Vec<String> {
-        quantities
-            .iter()
-            .map(|quantity| quantity.name.clone())
-            .collect()
+    let names = |quantities: &mut dyn Iterator<Item = &Quantity>| -> Vec<String> {
+        quantities.map(|quantity| quantity.name.clone()).collect()
     };
     let point = Point::of(specification, ring);
     for (place, file) in files.iter().enumerate() {
         let all = edits(
             file,
             language,
-            &names(&evaluator.inputs),
-            &names(&evaluator.outputs),
+            &names(&mut evaluator.inputs.iter().map(|input| &input.quantity)),
+            &names(&mut evaluator.outputs.iter()),
         );
         for kind in Kind::ALL {
             let of_kind: Vec<&Edit> = all.iter().filter(|edit| edit.kind == kind).collect();
             let count = counts.entry(kind).or_default();
             count.possible += of_kind.len();
             let step = of_kind.len().div_ceil(MOST).max(1);
-            let mut sample = PROVEN;
             for edit in of_kind.into_iter().step_by(step) {
                 let mut corrupt = files.to_vec();
                 corrupt[place].text = edit.apply(&file.text);
@@ -175,7 +171,7 @@ fn try_all(
                 };
                 let compare = |(_, reading): &(String, Reading)| compare(reading, specification);
                 let is_another = readings.iter().map(compare).any(|verdict| verdict.is_err());
-                let algebra = examine(&readings, specification, &point, ring, &mut sample);
+                let algebra = examine(&readings, specification, &point, ring);
                 let shown = || format!("{}: {}", file.path, edit.shown(&file.text));
                 count.add(is_another, algebra, shown);
             }

@@ -2,11 +2,13 @@
 
 mod corruption;
 mod edits;
+mod freshness;
 mod proof;
 mod translation;
 
 use sextic::compile::specification::Specification;
 use sextic::derivation::audit::{Audit, audit};
+use sextic::derivation::diagnostic::SourceFile;
 use sextic::documents::{ShippedLibrary, shipped};
 use sextic_codegen::language::{File, Language, emit};
 
@@ -28,7 +30,7 @@ fn files_of(specification: &Specification, language: Language) -> Vec<File> {
 fn specifications(audit: &mut Audit) -> Vec<Specification> {
     let evaluators = audit.evaluators.clone();
     let specify = |evaluator| {
-        Specification::of(evaluator, audit, "0", "sextic generate")
+        Specification::of(evaluator, audit, &[])
             .unwrap_or_else(|refusal| panic!("{}: {refusal:?}", evaluator.name.ascii))
     };
     evaluators.iter().map(specify).collect()
@@ -40,6 +42,47 @@ fn assert_locked(name: &str, text: &str) {
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.bind(|| insta::assert_snapshot!(name, text));
+}
+
+#[test]
+fn inputs_say_which_angles_they_are_made_of() {
+    let text = "# Angles\n\n```sextic\nangle α \"angle of the rod\"\nangle β, γ\n\
+        function C at γ : 1 \"lift\"\n\
+        evaluator [f] f: a = cos(2*α - β), b = sin(γ - α), c = C + C'\n```\n";
+    let source = SourceFile::new("angles.md", text);
+    let mut audit =
+        audit(&source, &ShippedLibrary).unwrap_or_else(|e| panic!("{:?}", e.diagnostics));
+    let evaluator = &specifications(&mut audit)[0].evaluator;
+    let inputs = evaluator.inputs.iter();
+    let inputs: Vec<String> = inputs
+        .map(|input| {
+            let what = &input.quantity;
+            let mut line = format!("{} {} {}", what.name, what.symbol, what.description);
+            for (count, angle) in input.circular().iter().flat_map(|sum| &sum.angle) {
+                line.push_str(&format!("{count} {angle}, "));
+            }
+            line
+        })
+        .collect();
+    let expected = [
+        "cos_2_alpha_minus_beta cos(2·α − β) 2 alpha, -1 beta, ",
+        // sin(γ − α) is its negative.
+        "sin_alpha_minus_gamma sin(α − γ) 1 alpha, -1 gamma, ",
+        "C C lift",
+        "dC C′ derivative of C by its angle in radians; lift",
+    ];
+    assert_eq!(inputs, expected);
+    let angles = evaluator.angles.iter();
+    let angles: Vec<String> = angles
+        .map(|angle| {
+            format!(
+                "{} {} {}",
+                angle.quantity.name, angle.quantity.symbol, angle.quantity.unit
+            )
+        })
+        .collect();
+    assert_eq!(angles, ["alpha α rad", "beta β rad", "gamma γ rad"]);
+    assert_eq!(evaluator.angles[0].quantity.description, "angle of the rod");
 }
 
 #[test]

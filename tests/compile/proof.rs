@@ -62,12 +62,11 @@ impl Sample {
         let square = ring.product(&inputs[2].1, &inputs[2].1).unwrap();
         let sum = ring.sum(&inputs[0].1, &inputs[1].1).unwrap();
         let result = ring.sum(&sum, &square).unwrap();
-        let specification = Specification {
-            evaluator: Evaluator::plain("match", program),
-            inputs: inputs.to_vec(),
-            constants: Vec::new(),
-            outputs: vec![("I".to_owned(), result)],
-        };
+        let specification = Specification::new(
+            Evaluator::plain("match", program),
+            inputs.to_vec(),
+            vec![("I".to_owned(), result)],
+        );
         Sample {
             specification,
             ring,
@@ -121,19 +120,19 @@ fn a_doubt_says_where_and_what() {
             Language::C,
             "return match_body(inputs);",
             "return match_body(0);",
-            "match.c, line 28: `0` stands where `inputs` is expected",
+            "match.c, line 31: `0` stands where `inputs` is expected",
         ),
         (
             Language::C,
             "    double lambda;",
             "    float lambda;",
-            "match.h, line 22: `float` stands where the declaration of `lambda` is expected",
+            "match.h, line 25: `float` stands where the declaration of `lambda` is expected",
         ),
         (
             Language::Python,
             "I = a + lambda_ + b * b",
             "I = a + lambda_ + b ** b",
-            "match_.py, line 64: `**` stands where the end of the line is expected",
+            "match_.py, line 67: `**` stands where the end of the line is expected",
         ),
         (
             Language::Rust,
@@ -303,6 +302,20 @@ fn nothing_is_hidden_from_a_reader() {
     ] {
         let verdict = sample.judged(language, &[(old, new)]);
         assert!(verdict.is_err(), "{language}: {new}");
+    }
+}
+
+#[test]
+fn nothing_stands_behind_a_file() {
+    let sample = Sample::new();
+    for language in Language::ALL {
+        for place in 0..sample.files(language).len() {
+            let mut files = sample.files(language);
+            let is_own = files[place].path.starts_with("match");
+            files[place].text.push_str("x = 0;\n");
+            let is_read = read(&files, &sample.specification.evaluator, language).is_ok();
+            assert_eq!(is_read, !is_own, "{}", files[place].path);
+        }
     }
 }
 

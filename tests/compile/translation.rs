@@ -13,7 +13,7 @@ fn specify(statements: &str) -> Result<Specification, Refusal> {
     let mut audit =
         audit(&source, &ShippedLibrary).unwrap_or_else(|error| panic!("{:?}", error.diagnostics));
     let evaluator = audit.evaluators.last().expect("an evaluator").clone();
-    Specification::of(&evaluator, &mut audit, "0", "sextic generate")
+    Specification::of(&evaluator, &mut audit, &[])
 }
 
 /// The outputs at the inputs 2, 3, 5, … in their order.

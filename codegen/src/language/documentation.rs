@@ -227,8 +227,8 @@ fn units(number: f64) -> String {
 
 fn measured(rounding: &Rounding, outputs: &[String], comments: &Comments) -> Vec<String> {
     let text = format!(
-        "Error of the strict evaluation in units in the last place of the exact value, measured with \
-         exact arithmetic at {} points drawn from {}:",
+        "Distance of the strict evaluation from the exact value, in units in the last place of that value, \
+         at {} points drawn from {}:",
         rounding.points,
         comments.prose(&flat(&rounding.domain))
     );

@@ -127,8 +127,13 @@ impl Close {
         let cross = self.high * other.low + self.low * other.high;
         let product = fast_two_sum(high, rest + cross);
         let inherited = self.magnitude() * other.error + other.magnitude() * self.error;
-        let own = high.abs() * UNIT + self.error * other.error + TINY;
-        Close::new(product, (inherited + own) * ABOVE)
+        // A product of two doubles is exact as a pair, unless it underflows.
+        let own = match self.low == 0.0 && other.low == 0.0 && high != 0.0 {
+            true => 0.0,
+            false => high.abs() * UNIT + TINY,
+        };
+        let both = self.error * other.error;
+        Close::new(product, (inherited + both + own) * ABOVE)
     }
 
     /// A quotient q of a and b is off by (a − q·b)/b.
@@ -168,12 +173,12 @@ impl Close {
         if self.is_exactly_0() && found == 0.0 {
             return Some(0.0);
         }
-        // 2ⁿ and the distance to the next double, where the number is in [2ⁿ, 2ⁿ⁺¹).
+        // 2ⁿ and the distance to the next double, where the number is in [2ⁿ, 2ⁿ⁺¹). It is on the same side
+        // of all powers of two as its nearest double, unless that is one of them.
         let power = f64::from_bits(self.high.to_bits() & (0x7ff << 52));
         let unit = power * f64::EPSILON;
-        let is_inside = self.high.abs() > power && self.error < 0.4 * unit;
         let is_double = self.low == 0.0 && self.error == 0.0;
-        if self.high == 0.0 || !(is_inside || is_double) {
+        if self.high == 0.0 || self.high.abs() == power && !is_double {
             return None;
         }
         if !found.is_finite() {

@@ -2,6 +2,8 @@
 
 use sextic_codegen::evaluator::{Evaluator, Quantity};
 
+use super::door::Door;
+
 /// How many underscores a name that is not free in a language may get.
 const MOST_UNDERSCORES: usize = 3;
 
@@ -19,22 +21,36 @@ pub struct Names {
     pub(super) function: String,
     pub(super) inputs: Vec<Name>,
     pub(super) outputs: Vec<Name>,
+    /// What the inputs are made of, if they can be made of angles.
+    pub(super) door: Option<Door>,
+    /// What the door asks for.
+    pub(super) asked: Vec<Name>,
+    /// The angles that the door does not ask for.
+    pub(super) fixed: Vec<Name>,
 }
 
 impl Names {
     /// The names of an evaluator that a text calls like this, before its declarations have been read.
     pub(super) fn new(evaluator: &Evaluator, function: &str) -> Self {
-        let unknown = |quantities: &[Quantity]| {
-            let name = |quantity: &Quantity| Name {
-                quantity: quantity.name.clone(),
-                text: None,
-            };
-            quantities.iter().map(name).collect()
+        let unknown = |quantity: &Quantity| Name {
+            quantity: quantity.name.clone(),
+            text: None,
         };
+        let named = |quantity: &String| Name {
+            quantity: quantity.clone(),
+            text: None,
+        };
+        let inputs = evaluator.free_inputs().map(|input| &input.quantity);
+        let door = Door::of(evaluator);
+        let asked = door.iter().flat_map(|door| &door.asked);
+        let fixed = door.iter().flat_map(|door| &door.fixed);
         Names {
             function: function.to_string(),
-            inputs: unknown(&evaluator.inputs),
-            outputs: unknown(&evaluator.outputs),
+            inputs: inputs.map(unknown).collect(),
+            outputs: evaluator.outputs.iter().map(unknown).collect(),
+            asked: asked.map(named).collect(),
+            fixed: fixed.map(|(name, _)| named(name)).collect(),
+            door,
         }
     }
 
@@ -46,6 +62,21 @@ impl Names {
     /// The quantity of a field of the outputs.
     pub(super) fn output(&self, field: &str) -> Option<&str> {
         quantity(&self.outputs, field)
+    }
+
+    /// What the door calls a quantity that it asks for.
+    pub(super) fn asked(&self, quantity: &str) -> Option<&str> {
+        let found = self.asked.iter().find(|name| name.quantity == quantity);
+        found.and_then(|name| name.text.as_deref())
+    }
+
+    /// The angle of a variable of the door.
+    pub(super) fn angle(&self, text: &str) -> Option<&str> {
+        let angles = self.door.iter().flat_map(|door| &door.angles);
+        let asked = angles.map(|place| &self.asked[*place]);
+        let mut all = asked.chain(&self.fixed);
+        let found = all.find(|name| name.text.as_deref() == Some(text));
+        found.map(|name| name.quantity.as_str())
     }
 
     /// `ClosedForm` for `closed_form`; two numbers do not run into one another.

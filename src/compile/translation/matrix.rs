@@ -166,11 +166,10 @@ impl Translator<'_> {
             ("trace", [matrix]) => {
                 let matrix = self.table(matrix, context)?;
                 let values = self.values();
-                let diagonal = (0..matrix.rows().min(matrix.columns())).map(|at| matrix.at(at, at));
-                let Ok(trace) = diagonal.fold(Ok(values.zero()), |sum, entry| {
-                    let Ok(sum) = sum;
-                    values.sum(&sum, entry)
-                });
+                let mut diagonal =
+                    (0..matrix.rows().min(matrix.columns())).map(|at| matrix.at(at, at));
+                let Ok(trace) =
+                    diagonal.try_fold(values.zero(), |sum, entry| values.sum(&sum, entry));
                 Ok(scalar(trace))
             }
             ("diagonal", entries) => {

@@ -24,7 +24,11 @@ impl Reader<'_> {
                 .library
                 .read(&path.value, &source.path)
                 .map_err(|reason| reject(missing(path, reason)))?;
-            if self.finished.contains(&imported.path) {
+            if self
+                .finished
+                .iter()
+                .any(|known| known.path == imported.path)
+            {
                 continue;
             }
             if self.open.contains(&imported.path) || imported.path == source.path {
@@ -35,7 +39,7 @@ impl Reader<'_> {
             self.open.push(source.path.clone());
             self.read(&imported)?;
             self.open.pop();
-            self.finished.push(imported.path);
+            self.finished.push(imported);
             count += 1;
         }
         Ok(count)

@@ -28,7 +28,8 @@ pub(super) struct Reader<'a> {
     pub(super) assumptions: Vec<Relation>,
     /// The documents that are being read, each imported by the one before it.
     pub(super) open: Vec<String>,
-    pub(super) finished: Vec<String>,
+    /// The documents that were imported, each behind those that it imports.
+    pub(super) finished: Vec<SourceFile>,
     aliases: Aliases,
     /// What the documents want compiled, imported ones included.
     pub(super) evaluators: Vec<Evaluator>,

@@ -125,26 +125,36 @@ impl Elaborator {
         Ok(images)
     }
 
-    /// Whether the document's assumptions admit values.
+    /// Values as a substitution, where the document's assumptions admit them.
     ///
     /// # Errors
     ///
     /// A [`Diagnostic`] where they do not, or where something is not free to have a value.
-    pub fn admit(&mut self, values: &[Replacement], span: &Span) -> Result<(), Diagnostic> {
+    pub fn admit(
+        &mut self,
+        values: &[Replacement],
+        span: &Span,
+    ) -> Result<Substitution, Diagnostic> {
         let outer = std::mem::take(&mut self.conditions);
         let images = self.images(values);
         self.conditions = outer;
+        let images = images?;
+        self.admit_images(&images, span)?;
+        Ok(images)
+    }
+
+    /// Sees that no assumption is certain to be broken.
+    fn admit_images(&mut self, images: &Substitution, span: &Span) -> Result<(), Diagnostic> {
         let is_possible = |found: Signs, assumed: Signs| found.intersection(assumed) != Signs::NONE;
-        match self.broken_assumption(&images?, is_possible, span)? {
-            None => Ok(()),
-            Some(assumption) => {
-                let message = format!("this contradicts the assumption {assumption}");
-                let kind = DiagnosticKind::Arguments;
-                Err(Diagnostic::new(kind, span.clone(), message)
-                    .with_label("excluded by the document")
-                    .with_help("give a value that the document's assumptions allow"))
-            }
-        }
+        let Some(assumption) = self.broken_assumption(images, is_possible, span)? else {
+            return Ok(());
+        };
+        let message = format!("this contradicts the assumption {assumption}");
+        Err(
+            Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
+                .with_label("excluded by the document")
+                .with_help("give a value that the document's assumptions allow"),
+        )
     }
 
     fn read_replacements(
@@ -158,7 +168,10 @@ impl Elaborator {
             .iter()
             .find(|replacement| !replacement.value.span.is_empty());
         let place = place.map_or(span, |replacement| &replacement.value.span);
-        self.respect_assumptions(&images, |signs| signs, place)?;
+        match self.trusts_replacements {
+            true => self.admit_images(&images, place)?,
+            false => self.respect_assumptions(&images, |signs| signs, place)?,
+        }
         Ok(images)
     }
 

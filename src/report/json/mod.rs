@@ -4,6 +4,7 @@
 //! read by SymPy; what the document says is in the block language.
 
 mod audit;
+mod evaluation;
 mod matching;
 mod pairs;
 
@@ -13,6 +14,7 @@ use crate::derivation::notation::Notation;
 use crate::derivation::syntax::Expression;
 
 pub use audit::{audits, explanation};
+pub use evaluation::{evaluation, evaluators};
 pub use matching::matchings;
 
 /// Indented JSON, ended by a line break.

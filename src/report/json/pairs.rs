@@ -7,9 +7,9 @@ use crate::derivation::syntax::{Expression, Name};
 use super::ascii;
 
 /// Names and values, written as one object in this order.
-pub struct Pairs(pub Vec<(String, String)>);
+pub struct Pairs<T = String>(pub Vec<(String, T)>);
 
-impl Serialize for Pairs {
+impl<T: Serialize> Serialize for Pairs<T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
     }
@@ -41,10 +41,7 @@ mod tests {
 
     #[test]
     fn order_is_kept() {
-        let pairs = Pairs(vec![("b".into(), "1".into()), ("a".into(), "2".into())]);
-        assert_eq!(
-            serde_json::to_string(&pairs).unwrap(),
-            r#"{"b":"1","a":"2"}"#
-        );
+        let pairs = Pairs(vec![("b".into(), 1), ("a".into(), 2)]);
+        assert_eq!(serde_json::to_string(&pairs).unwrap(), r#"{"b":1,"a":2}"#);
     }
 }

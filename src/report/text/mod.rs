@@ -5,8 +5,10 @@
 
 mod audit;
 mod claim;
+mod evaluation;
 mod explanation;
 mod expression;
+mod generation;
 mod matching;
 mod page;
 mod palette;
@@ -14,5 +16,7 @@ mod prose;
 mod run;
 
 pub use audit::audit;
+pub use evaluation::{evaluation, evaluators};
 pub use explanation::explanation;
+pub use generation::{difference, generated};
 pub use matching::matching;

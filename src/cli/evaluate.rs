@@ -1,0 +1,245 @@
+//! `sextic evaluate`: what a document derives, at one point.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use clap::Args;
+use sextic_codegen::evaluator::{Circular, Function, Input, Origin};
+use sextic_codegen::language::literal::Decimal;
+use sextic_codegen::rounding;
+
+use crate::compile::fixed::Fixed;
+use crate::compile::generation::{Failure, specifications};
+use crate::compile::specification::Specification;
+use crate::derivation::audit::Audit;
+use crate::derivation::scope::{Meaning, SymbolKind};
+use crate::report::evaluation::Evaluation;
+use crate::report::{json, text};
+
+use super::Outcome;
+use super::generate::{fixed, refused, unknown};
+use super::output::{Results, complain, finish, wrong};
+use super::source::audit_all;
+
+/// Computes what a document derives, at one point
+///
+/// The evaluators are those that `sextic generate` writes, and the numbers are the same bit for bit.
+/// Quantities are in SI units, angles in radians; numbers are decimals or fractions.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// The name of an evaluator
+    #[arg(value_name = "NAME", required_unless_present = "list")]
+    name: Option<String>,
+
+    /// A quantity and its value; may be given several times
+    #[arg(long, value_name = "NAME=VALUE", value_parser = fixed, allow_hyphen_values = true)]
+    set: Vec<Fixed>,
+
+    /// A Markdown document; without one, those that come with the command
+    #[arg(long, value_name = "DOC")]
+    document: Option<String>,
+
+    /// List the evaluators with what they need and give
+    #[arg(long, conflicts_with_all = ["name", "set"])]
+    list: bool,
+
+    /// How the numbers are written
+    #[arg(long, value_enum, default_value_t = Results::Text)]
+    format: Results,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  sextic evaluate --list
+  sextic evaluate no_wind_modes --set r=0.0178 --set L_g=0.004 --set omega_n=5.3 \\
+    --set alpha_g=0.2 --set theta_0=0
+  sextic evaluate no_wind_modes … --format json | jq .outputs";
+
+/// Evaluates, or lists what can be evaluated.
+pub fn run(arguments: &Arguments) -> Outcome {
+    let (mut audits, outcome) = audit_all(arguments.document.as_slice());
+    if audits.is_empty() {
+        return outcome;
+    }
+    let Some(name) = &arguments.name else {
+        return list(&mut audits, arguments.format);
+    };
+    let is_there = |audit: &&mut Audit| {
+        let mut evaluators = audit.evaluators.iter();
+        evaluators.any(|evaluator| evaluator.name.ascii == *name)
+    };
+    let Some(audit) = audits.iter_mut().find(is_there) else {
+        let evaluators = audits.iter().flat_map(|audit| &audit.evaluators);
+        let known: Vec<String> = evaluators
+            .map(|evaluator| evaluator.name.ascii.clone())
+            .collect();
+        return unknown(&format!("there is no evaluator `{name}`"), name, &known);
+    };
+    match evaluate(name, &arguments.set, audit) {
+        Err(outcome) => outcome,
+        Ok(evaluation) => {
+            if !evaluation.unused.is_empty() {
+                let unused = evaluation.unused.join(", ");
+                complain(&format!("{name} does not need {unused}\n"));
+            }
+            let written = match arguments.format {
+                Results::Text => text::evaluation(&evaluation),
+                Results::Json => json::evaluation(&evaluation),
+            };
+            finish(&written, Outcome::AsExpected)
+        }
+    }
+}
+
+fn list(audits: &mut [Audit], format: Results) -> Outcome {
+    let mut all = Vec::new();
+    for audit in audits {
+        match specifications(audit, &[], &[]) {
+            Ok(found) => all.extend(found),
+            Err(Failure::NoEvaluator) => {}
+            Err(failure) => return failed(&failure, audit),
+        }
+    }
+    let written = match format {
+        Results::Text => text::evaluators(&all),
+        Results::Json => json::evaluators(&all),
+    };
+    finish(&written, Outcome::AsExpected)
+}
+
+fn failed(failure: &Failure, audit: &Audit) -> Outcome {
+    match failure {
+        Failure::Refused(evaluator, refusal) => refused(evaluator, refusal, audit),
+        _ => wrong(
+            "nothing can be evaluated",
+            "`sextic audit` shows the document",
+        ),
+    }
+}
+
+/// An evaluator at a point.
+fn evaluate(name: &str, set: &[Fixed], audit: &mut Audit) -> Result<Evaluation, Outcome> {
+    let specification = specifications(audit, &[name.to_string()], &[]);
+    let specification = match specification.map(|mut found| found.pop()) {
+        Ok(Some(specification)) => specification,
+        Ok(None) => return Err(failed(&Failure::NoEvaluator, audit)),
+        Err(failure) => return Err(failed(&failure, audit)),
+    };
+    let values = values(set, &specification, audit)?;
+    let numbers: Vec<&Fixed> = set.iter().collect();
+    specification
+        .admit(&numbers, audit)
+        .map_err(|refusal| refused(name, &refusal, audit))?;
+    let evaluator = &specification.evaluator;
+    let inputs: Option<Vec<f64>> = evaluator
+        .inputs
+        .iter()
+        .map(|input| value(input, &values))
+        .collect();
+    let found = inputs.and_then(|inputs| rounding::evaluate(&evaluator.program, &inputs));
+    let found = found.unwrap_or_default();
+    let outputs = evaluator.outputs.iter().cloned().zip(found);
+    let outputs: Vec<_> = outputs.collect();
+    if let Some((output, _)) = outputs.iter().find(|(_, value)| !value.is_finite()) {
+        return Err(wrong(
+            &format!("{} is not a finite number at this point", output.symbol),
+            "`sextic evaluate --list` names the conditions; very large and very small numbers leave the \
+             range of a double",
+        ));
+    }
+    let names = specification.names().map(str::to_string);
+    Ok(Evaluation {
+        evaluator: name.to_string(),
+        inputs: names
+            .filter_map(|name| Some((name.clone(), *values.get(&name)?)))
+            .collect(),
+        outputs,
+        unused: numbers
+            .iter()
+            .filter(|number| !specification.rests_on(&number.name))
+            .map(|number| number.name.clone())
+            .collect(),
+    })
+}
+
+/// The values by name, in doubles.
+fn values(
+    set: &[Fixed],
+    specification: &Specification,
+    audit: &Audit,
+) -> Result<BTreeMap<String, f64>, Outcome> {
+    let known = known_names(audit);
+    let mut values = BTreeMap::new();
+    for number in set {
+        let name = &number.name;
+        if !specification.rests_on(name) && !known.contains(name) {
+            let names: Vec<String> = known.iter().cloned().collect();
+            return Err(unknown(
+                &format!("nothing is called `{name}`"),
+                name,
+                &names,
+            ));
+        }
+        let Some(value) = Decimal::nearest(&number.value) else {
+            return Err(wrong(
+                &format!("`{name}={}` is beyond the range of a double", number.text),
+                "quantities are in SI units",
+            ));
+        };
+        if values.insert(name.clone(), value.value).is_some() {
+            return Err(wrong(&format!("`{name}` is set twice"), "set it once"));
+        }
+    }
+    let missing: Vec<&str> = specification
+        .names()
+        .filter(|name| !values.contains_key(*name))
+        .collect();
+    match missing[..] {
+        [] => Ok(values),
+        _ => Err(wrong(
+            &format!(
+                "{} needs {} too",
+                specification.evaluator.name,
+                missing.join(", ")
+            ),
+            "`--set name=value`; `sextic evaluate --list` says what they are",
+        )),
+    }
+}
+
+/// The names of the quantities of a document.
+fn known_names(audit: &Audit) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    for entry in audit.elaborator.scope.entries() {
+        match &entry.meaning {
+            Meaning::Symbol {
+                kind: SymbolKind::Parameter | SymbolKind::Angle,
+                ..
+            } => drop(names.insert(entry.name.ascii.clone())),
+            Meaning::Function { .. } => {
+                names.insert(entry.name.ascii.clone());
+                names.insert(format!("d{}", entry.name.ascii));
+            }
+            _ => {}
+        }
+    }
+    names
+}
+
+/// What an input of a program is, given the quantities by name.
+fn value(input: &Input, values: &BTreeMap<String, f64>) -> Option<f64> {
+    match &input.origin {
+        Origin::Given => values.get(&input.quantity.name).copied(),
+        Origin::Circular(Circular { function, angle }) => {
+            let mut sum = 0.0;
+            for (count, name) in angle {
+                sum += f64::from(*count) * values.get(name)?;
+            }
+            Some(match function {
+                Function::Cosine => sum.cos(),
+                Function::Sine => sum.sin(),
+            })
+        }
+        Origin::Fixed(fixed) => Decimal::nearest(&fixed.value).map(|number| number.value),
+    }
+}

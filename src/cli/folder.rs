@@ -1,0 +1,147 @@
+//! A folder of generated files: all of them are written, or none.
+
+use std::fs;
+use std::io::{self, ErrorKind, Read, Write};
+use std::path::{Path, PathBuf};
+
+use sextic_codegen::language::{File, MARK};
+use tempfile::NamedTempFile;
+
+/// The mark of a generated file stands within so many bytes.
+const HEAD: u64 = 4096;
+
+/// Why nothing was written.
+#[derive(Debug)]
+pub enum Trouble {
+    /// Something in the folder cannot be read or written.
+    Disk(PathBuf, io::Error),
+    /// These files were not generated.
+    Foreign(Vec<PathBuf>),
+}
+
+/// What became of a folder.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub struct Written {
+    /// How many files were new or different.
+    pub changed: usize,
+    /// How many were there already, word for word.
+    pub unchanged: usize,
+    /// Generated files that no evaluator belongs to any more.
+    pub stale: Vec<String>,
+}
+
+/// How a file stands to what would be generated.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum State {
+    /// It is the same, word for word.
+    Same,
+    /// It is there with another text.
+    Different(String),
+    /// It is not there.
+    Missing,
+}
+
+/// Writes files below a folder, which is made if need be.
+///
+/// Every text is on the disk under another name before the first file gets its own: a full disk
+/// changes nothing.
+///
+/// # Errors
+///
+/// [`Trouble`]: a file that was not generated is overwritten only if `force`.
+pub fn write(folder: &Path, files: &[File], force: bool) -> Result<Written, Trouble> {
+    let at = |path: &Path| {
+        let path = path.to_owned();
+        move |error| Trouble::Disk(path, error)
+    };
+    let mut written = Written::default();
+    let (mut changed, mut foreign) = (Vec::new(), Vec::new());
+    for file in files {
+        let path = folder.join(&file.path);
+        match state(&path, &file.text).map_err(at(&path))? {
+            State::Same => written.unchanged += 1,
+            State::Different(_) if !force && !is_generated(&path).map_err(at(&path))? => {
+                foreign.push(path);
+            }
+            State::Different(_) | State::Missing => changed.push((path, &file.text)),
+        }
+    }
+    if !foreign.is_empty() {
+        return Err(Trouble::Foreign(foreign));
+    }
+    fs::create_dir_all(folder).map_err(at(folder))?;
+    let mut staged = Vec::new();
+    for (path, text) in changed {
+        staged.push((stage(folder, text).map_err(at(folder))?, path));
+    }
+    for (text, path) in staged {
+        text.persist(&path)
+            .map_err(|error| Trouble::Disk(path, error.error))?;
+        written.changed += 1;
+    }
+    written.stale = stale(folder, files).map_err(at(folder))?;
+    Ok(written)
+}
+
+/// How a file stands to the text that it should have.
+///
+/// # Errors
+///
+/// If it cannot be read.
+pub fn state(path: &Path, text: &str) -> io::Result<State> {
+    match fs::read(path) {
+        Ok(found) if found == text.as_bytes() => Ok(State::Same),
+        Ok(found) => Ok(State::Different(
+            String::from_utf8_lossy(&found).into_owned(),
+        )),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(State::Missing),
+        Err(error) => Err(error),
+    }
+}
+
+/// Generated files of a folder that are none of these.
+///
+/// # Errors
+///
+/// If the folder cannot be read.
+pub fn stale(folder: &Path, files: &[File]) -> io::Result<Vec<String>> {
+    let entries = match fs::read_dir(folder) {
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
+        entries => entries?,
+    };
+    let mut stale = Vec::new();
+    for entry in entries {
+        let entry = entry?;
+        let Ok(name) = entry.file_name().into_string() else {
+            continue;
+        };
+        let is_wanted = files.iter().any(|file| file.path == name);
+        if !is_wanted && entry.file_type()?.is_file() && is_generated(&entry.path())? {
+            stale.push(name);
+        }
+    }
+    stale.sort();
+    Ok(stale)
+}
+
+/// A text on the disk that has no name yet.
+fn stage(folder: &Path, text: &str) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".sextic-");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // As any other file, rather than for the user alone.
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    let mut file = builder.tempfile_in(folder)?;
+    file.write_all(text.as_bytes())?;
+    file.as_file().sync_all()?;
+    Ok(file)
+}
+
+fn is_generated(path: &Path) -> io::Result<bool> {
+    let mut head = Vec::new();
+    fs::File::open(path)?.take(HEAD).read_to_end(&mut head)?;
+    Ok(String::from_utf8_lossy(&head).contains(MARK))
+}

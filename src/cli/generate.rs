@@ -1,0 +1,295 @@
+//! `sextic generate`: what a document derives, as source text.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use sextic_codegen::language::{File, Language};
+
+use crate::compile::fixed::{Fixed, Unfixed};
+use crate::compile::generation::{Failure, Generated, Order, POINTS, generate};
+use crate::compile::proof::prove_files;
+use crate::compile::specification::Refusal;
+use crate::derivation::audit::Audit;
+use crate::derivation::diagnostic::{nearest, render};
+use crate::report::text;
+
+use super::Outcome;
+use super::folder::{self, State, Trouble, Written};
+use super::output::{complain, finish, wrong};
+use super::source::audit_all;
+
+/// Writes what a document derives as source text, proven equal to the derivation
+///
+/// Every evaluator of the document becomes a file (in C two): a function of named inputs with its
+/// documentation, a twin that bounds its own rounding error, and one for many points at once. The text is
+/// read back by a parser of its own and executed over the exact algebra of the document before it is
+/// written; its header says what was proven and how far its rounding goes.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// A Markdown document; without one, that which comes with the command
+    #[arg(value_name = "DOC")]
+    document: Option<String>,
+
+    /// The folder for the files; it is made if need be
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+
+    /// rust, c or python
+    #[arg(long, value_parser = language)]
+    language: Language,
+
+    /// Only this evaluator of the document; may be given several times
+    #[arg(long, value_name = "NAME")]
+    only: Vec<String>,
+
+    /// Fix a quantity: an exact decimal or fraction in SI units, angles in radians; may be given several
+    /// times
+    #[arg(long, value_name = "NAME=VALUE", value_parser = fixed, allow_hyphen_values = true)]
+    fix: Vec<Fixed>,
+
+    /// At how many points the rounding error is measured; 0 measures nothing, which the text then says
+    #[arg(long, value_name = "COUNT", default_value_t = POINTS, value_parser = clap::value_parser!(u32).range(..=10_000_000))]
+    points: u32,
+
+    /// Write nothing: prove the files in the folder, and compare them with what would be written
+    #[arg(long)]
+    check: bool,
+
+    /// Overwrite files of the same names even if they were not generated
+    #[arg(long, conflicts_with = "check")]
+    force: bool,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  sextic generate --out here --language rust                      all that the paper's document compiles
+  sextic generate --out here --language c --only closed_form --fix m=3.5 --fix r=0.0178
+  sextic generate --out here --language rust --check              are these files proven, and up to date?
+  sextic generate plate.md --out here --language python           a document of your own";
+
+fn language(text: &str) -> Result<Language, String> {
+    text.parse().map_err(|_| {
+        let names = Language::ALL.map(Language::name);
+        match nearest(text, names) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("the languages are {}", names.join(", ")),
+        }
+    })
+}
+
+/// `r=0.0178`
+pub(super) fn fixed(text: &str) -> Result<Fixed, String> {
+    text.parse().map_err(|error| match error {
+        Unfixed::Form => "write `name=value`, such as `r=0.0178`".to_string(),
+        Unfixed::Number(_) => {
+            "the value must be an exact decimal or fraction, such as 0.0178, 1e-3 or 1/3"
+                .to_string()
+        }
+    })
+}
+
+/// Generates, and writes or checks.
+pub fn run(arguments: &Arguments) -> Outcome {
+    let (audits, outcome) = audit_all(arguments.document.as_slice());
+    let Some(mut audit) = audits.into_iter().next() else {
+        return outcome;
+    };
+    if !audit.as_expected() {
+        complain(&format!(
+            "Error: not every verdict on {} is as it expects: nothing is generated from it\n\
+             Help: `sextic audit` shows which\n",
+            audit.path
+        ));
+        return Outcome::Differs;
+    }
+    let order = Order {
+        document: arguments.document.clone(),
+        names: arguments.only.clone(),
+        fixed: arguments.fix.clone(),
+        language: arguments.language,
+        points: arguments.points as usize,
+    };
+    let progress = ProgressBar::new_spinner();
+    let style = ProgressStyle::with_template("{spinner} {msg} ({elapsed})");
+    progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
+    progress.enable_steady_tick(std::time::Duration::from_millis(100));
+    let generated = generate(&mut audit, &order, &mut |step| {
+        progress.set_message(step.to_string());
+    });
+    progress.finish_and_clear();
+    match generated {
+        Err(failure) => refuse(&failure, &audit, arguments),
+        Ok(generated) if arguments.check => check(&generated, &mut audit, arguments),
+        Ok(generated) => write(&generated, arguments),
+    }
+}
+
+fn write(generated: &Generated, arguments: &Arguments) -> Outcome {
+    match folder::write(&arguments.out, &generated.files, arguments.force) {
+        Ok(written) => {
+            let mut report = text::generated(generated);
+            report.push_str(&summary(&written, &arguments.out));
+            finish(&report, Outcome::AsExpected)
+        }
+        Err(Trouble::Foreign(paths)) => {
+            let paths: Vec<String> = paths
+                .iter()
+                .map(|path| format!("`{}`", path.display()))
+                .collect();
+            wrong(
+                &format!(
+                    "not generated by this command: {}; nothing was written",
+                    paths.join(", ")
+                ),
+                "choose another folder, or overwrite with `--force`",
+            )
+        }
+        Err(Trouble::Disk(path, error)) => wrong(
+            &format!("`{}` cannot be written: {error}", path.display()),
+            "nothing is left half-written; mend the folder, or choose another with `--out`",
+        ),
+    }
+}
+
+fn summary(written: &Written, out: &Path) -> String {
+    let total = written.changed + written.unchanged;
+    let files = if total == 1 { "file" } else { "files" };
+    let mut summary = match (written.changed, written.unchanged) {
+        (_, 0) => format!("{total} {files} written to {}\n", out.display()),
+        (0, _) => format!("{total} {files} in {} were up to date\n", out.display()),
+        (changed, _) => format!(
+            "{changed} of {total} {files} in {} written, the others were up to date\n",
+            out.display()
+        ),
+    };
+    for name in &written.stale {
+        summary.push_str(&format!(
+            "{name} was generated, but not by this command; it is left alone\n"
+        ));
+    }
+    summary
+}
+
+/// Proves the files as they stand on the disk, and compares them with what would be written.
+fn check(generated: &Generated, audit: &mut Audit, arguments: &Arguments) -> Outcome {
+    let mut outcome = Outcome::AsExpected;
+    let (mut found, mut lines): (Vec<File>, Vec<String>) = (Vec::new(), Vec::new());
+    for file in &generated.files {
+        let path = arguments.out.join(&file.path);
+        let line = match folder::state(&path, &file.text) {
+            Err(error) => {
+                return wrong(
+                    &format!("`{}` cannot be read: {error}", path.display()),
+                    "name the folder of the files with `--out`",
+                );
+            }
+            Ok(State::Same) => {
+                found.push(file.clone());
+                continue;
+            }
+            Ok(State::Different(text)) => {
+                let line = text::difference(&file.path, &text, &file.text);
+                found.push(File {
+                    path: file.path.clone(),
+                    text,
+                });
+                line
+            }
+            Ok(State::Missing) => format!("{} is missing\n", file.path),
+        };
+        outcome = Outcome::Differs;
+        lines.push(line);
+    }
+    let mut report = String::new();
+    for specification in &generated.specifications {
+        let name = &specification.evaluator.name;
+        audit.elaborator.fresh();
+        let ring = &mut audit.elaborator.ring;
+        match prove_files(&found, specification, arguments.language, ring) {
+            Ok(proof) => report.push_str(&format!("{name}: proven. {proof}\n")),
+            Err(doubt) => {
+                outcome = Outcome::Differs;
+                report.push_str(&format!("{name}: NOT proven: {doubt}\n"));
+            }
+        }
+    }
+    lines.iter().for_each(|line| report.push_str(line));
+    match folder::stale(&arguments.out, &generated.files) {
+        Ok(stale) => {
+            for name in stale {
+                outcome = Outcome::Differs;
+                report.push_str(&format!(
+                    "{name} was generated, but this command does not write it\n"
+                ));
+            }
+        }
+        Err(error) => complain(&format!(
+            "`{}` cannot be read: {error}\n",
+            arguments.out.display()
+        )),
+    }
+    report.push_str(match outcome {
+        Outcome::AsExpected => "All files are as this command writes them.\n",
+        _ => "The same command without `--check` writes them anew.\n",
+    });
+    finish(&report, outcome)
+}
+
+/// Says why nothing was generated.
+pub(super) fn refuse(failure: &Failure, audit: &Audit, arguments: &Arguments) -> Outcome {
+    match failure {
+        Failure::NoEvaluator => wrong(
+            &format!("{} wants nothing compiled", audit.path),
+            "say what with `evaluator name: output = expression`",
+        ),
+        Failure::UnknownEvaluator(name, known) => {
+            unknown(&format!("there is no evaluator `{name}`"), name, known)
+        }
+        Failure::UnknownQuantity(name, known) => unknown(
+            &format!("no evaluator that is generated rests on `{name}`"),
+            name,
+            known,
+        ),
+        Failure::Refused(evaluator, refusal) => refused(evaluator, refusal, audit),
+        Failure::Language(error) => wrong(
+            &format!("this cannot be written in {}: {error}", arguments.language),
+            "rename it in the document, or fix less",
+        ),
+        Failure::Doubted(evaluator, doubt) => {
+            complain(&format!(
+                "Error: the text of `{evaluator}` is not proven: {doubt}\n\
+                 Help: this is a mistake of this program; nothing was written\n"
+            ));
+            Outcome::Differs
+        }
+    }
+}
+
+pub(super) fn refused(evaluator: &str, refusal: &Refusal, audit: &Audit) -> Outcome {
+    match refusal {
+        Refusal::Document(diagnostic) => {
+            let source = audit.sources.last();
+            let shown = source.map(|source| render(diagnostic, source, true));
+            complain(&shown.unwrap_or_default());
+            Outcome::WrongInput
+        }
+        Refusal::Program(reason) => wrong(
+            &format!("`{evaluator}` cannot be compiled: {reason}"),
+            "let its outputs rest on parameters, angles and functions",
+        ),
+        Refusal::Number(names, reason) => wrong(
+            &format!("`{evaluator}` does not allow this value of {names}: {reason}"),
+            "give another value, or leave it to the caller",
+        ),
+    }
+}
+
+pub(super) fn unknown(message: &str, name: &str, known: &[String]) -> Outcome {
+    let help = match nearest(name, known.iter().map(String::as_str)) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("there are {}", known.join(", ")),
+    };
+    wrong(message, &help)
+}

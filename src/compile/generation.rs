@@ -1,0 +1,225 @@
+//! From a document to source text: specified, measured, emitted, read back and proven.
+
+use std::collections::BTreeMap;
+
+use sextic_codegen::evaluator::Evaluator as Emitted;
+use sextic_codegen::language::{self, File, Language};
+use sextic_codegen::rounding::{self, Domain, Interval};
+
+use crate::derivation::audit::Audit;
+use crate::derivation::evaluator::Evaluator;
+
+use super::doubt::Doubt;
+use super::fixed::{Fixed, written};
+use super::input::Input;
+use super::proof::{Proof, prove_files};
+use super::specification::{Refusal, Specification};
+
+/// The points of every measurement are drawn from this seed.
+const SEED: u64 = 6;
+
+/// What is to be generated.
+#[derive(Clone, Debug)]
+pub struct Order {
+    /// The path of the document, unless it comes with the command.
+    pub document: Option<String>,
+    /// The evaluators by their ASCII names; all of the document if there are none.
+    pub names: Vec<String>,
+    /// What is fixed.
+    pub fixed: Vec<Fixed>,
+    /// In what language.
+    pub language: Language,
+    /// At how many points the rounding error is measured; it is not if this is 0.
+    pub points: usize,
+}
+
+/// As many points as are measured at if nobody says otherwise.
+pub const POINTS: u32 = 100_000;
+
+impl Order {
+    /// All that the documents of the command want compiled.
+    pub fn of_all(language: Language) -> Self {
+        Order {
+            document: None,
+            names: Vec::new(),
+            fixed: Vec::new(),
+            language,
+            points: POINTS as usize,
+        }
+    }
+
+    /// The command that orders this, as files quote it: with the folder left open, so that they are the
+    /// same wherever they are written.
+    pub fn command(&self) -> String {
+        let mut words = vec!["sextic generate".to_string()];
+        words.extend(self.document.clone());
+        words.push(format!("--out DIR --language {}", self.language));
+        words.extend(self.names.iter().map(|name| format!("--only {name}")));
+        let fixed = self.fixed.iter();
+        words.extend(fixed.map(|fixed| format!("--fix {}={}", fixed.name, fixed.text)));
+        if self.points != POINTS as usize {
+            words.push(format!("--points {}", self.points));
+        }
+        words.join(" ")
+    }
+}
+
+/// What was generated.
+#[derive(Clone, Debug)]
+pub struct Generated {
+    /// The evaluators.
+    pub specifications: Vec<Specification>,
+    /// The files, in the order of their paths.
+    pub files: Vec<File>,
+}
+
+/// Why nothing was generated.
+#[derive(Clone, Debug)]
+pub enum Failure {
+    /// The document wants nothing compiled.
+    NoEvaluator,
+    /// No evaluator has this name; those of the document.
+    UnknownEvaluator(String, Vec<String>),
+    /// No evaluator that was ordered rests on this name; those that they rest on.
+    UnknownQuantity(String, Vec<String>),
+    /// An evaluator cannot be compiled.
+    Refused(String, Refusal),
+    /// An evaluator cannot be written in this language.
+    Language(language::Error),
+    /// The text of an evaluator is not proven: a mistake of this program.
+    Doubted(String, Doubt),
+}
+
+/// Generates what is ordered from an audited document; `report` is told what is being worked on.
+///
+/// # Errors
+///
+/// [`Failure`]
+pub fn generate(
+    audit: &mut Audit,
+    order: &Order,
+    report: &mut dyn FnMut(&str),
+) -> Result<Generated, Failure> {
+    let mut specifications = specifications(audit, &order.names, &order.fixed)?;
+    for specification in &mut specifications {
+        let evaluator = &mut specification.evaluator;
+        evaluator.command = order.command();
+        if order.points > 0 {
+            report(&format!("measuring the rounding of {}", evaluator.name));
+            let domain = domain(evaluator, audit);
+            // Without an interval for every input there is no figure, which the text says.
+            evaluator.rounding = rounding::measure(evaluator, &domain, order.points, SEED).ok();
+        }
+    }
+    // Proven twice: what is written says that it is proven, and is proven as it is written.
+    let drafts = emit(&specifications, order.language)?;
+    for specification in &mut specifications {
+        report(&format!("proving {}", specification.evaluator.name));
+        let proof = proven(&drafts, specification, order.language, audit)?;
+        specification.evaluator.proof = Some(proof.to_string());
+    }
+    let files = emit(&specifications, order.language)?;
+    for specification in &specifications {
+        proven(&files, specification, order.language, audit)?;
+    }
+    Ok(Generated {
+        specifications,
+        files,
+    })
+}
+
+/// The evaluators of a document by name, or all of them, with quantities fixed.
+///
+/// # Errors
+///
+/// [`Failure`]
+pub fn specifications(
+    audit: &mut Audit,
+    names: &[String],
+    fixed: &[Fixed],
+) -> Result<Vec<Specification>, Failure> {
+    let mut specifications = Vec::new();
+    for evaluator in chosen(&audit.evaluators, names)? {
+        let specification = Specification::of(&evaluator, audit, fixed);
+        specifications.push(
+            specification
+                .map_err(|refusal| Failure::Refused(evaluator.name.unicode.clone(), refusal))?,
+        );
+    }
+    let is_used = |fixed: &Fixed| {
+        let mut all = specifications.iter();
+        all.any(|specification: &Specification| specification.fixed.contains(&fixed.name))
+    };
+    match fixed.iter().find(|fixed| !is_used(fixed)) {
+        None => Ok(specifications),
+        Some(unused) => {
+            let known = specifications.iter().flat_map(Specification::names);
+            let mut known: Vec<String> = known.map(str::to_string).collect();
+            known.sort();
+            known.dedup();
+            Err(Failure::UnknownQuantity(unused.name.clone(), known))
+        }
+    }
+}
+
+fn chosen(evaluators: &[Evaluator], names: &[String]) -> Result<Vec<Evaluator>, Failure> {
+    if evaluators.is_empty() {
+        return Err(Failure::NoEvaluator);
+    }
+    if names.is_empty() {
+        return Ok(evaluators.to_vec());
+    }
+    for name in names {
+        if !evaluators.iter().any(|known| known.name.ascii == *name) {
+            let known = evaluators.iter().map(|known| known.name.ascii.clone());
+            return Err(Failure::UnknownEvaluator(name.clone(), known.collect()));
+        }
+    }
+    let is_wanted = |evaluator: &&Evaluator| names.contains(&evaluator.name.ascii);
+    Ok(evaluators.iter().filter(is_wanted).cloned().collect())
+}
+
+fn emit(specifications: &[Specification], language: Language) -> Result<Vec<File>, Failure> {
+    let evaluators = specifications
+        .iter()
+        .map(|specification| specification.evaluator.clone());
+    let evaluators: Vec<Emitted> = evaluators.collect();
+    language::emit(&evaluators, language).map_err(Failure::Language)
+}
+
+fn proven(
+    files: &[File],
+    specification: &Specification,
+    language: Language,
+    audit: &mut Audit,
+) -> Result<Proof, Failure> {
+    audit.elaborator.fresh();
+    prove_files(files, specification, language, &mut audit.elaborator.ring)
+        .map_err(|doubt| Failure::Doubted(specification.evaluator.name.clone(), doubt))
+}
+
+/// The intervals that the document states for the inputs of an evaluator.
+fn domain(evaluator: &Emitted, audit: &Audit) -> Domain {
+    let (ring, scope) = (&audit.elaborator.ring, &audit.elaborator.scope);
+    let mut intervals = BTreeMap::new();
+    for (symbol, interval) in audit.domain.intervals() {
+        if let Some(input) = Input::of(symbol, ring, scope) {
+            let (from, to) = (interval.from.clone(), interval.to.clone());
+            intervals.insert(input.name, Interval { from, to });
+        }
+    }
+    let mut parts: Vec<String> = Vec::new();
+    for input in evaluator.free_inputs() {
+        if let Some(Interval { from, to }) = intervals.get(&input.quantity.name) {
+            let symbol = &input.quantity.symbol;
+            parts.push(format!("{symbol} in [{}, {}]", written(from), written(to)));
+        }
+    }
+    if evaluator.open_angles().next().is_some() {
+        parts.push("angles all around the circle".to_string());
+    }
+    Domain {
+        intervals,
+        text: parts.join(", "),
+    }
+}
