@@ -31,11 +31,6 @@ pub fn nearest(value: &Rational) -> Option<Rational> {
         .then(|| Rational::from(digits) * power_of_two(exponent))
 }
 
-/// Whether the double of a literal is the one that is nearest to a number.
-pub fn is_nearest(literal: &Rational, value: &Rational) -> bool {
-    nearest(literal).is_some_and(|double| nearest(value) == Some(double))
-}
-
 /// Whether a number is a double, and not a subnormal one.
 pub fn is_double(value: &Rational) -> bool {
     nearest(value).as_ref() == Some(value)

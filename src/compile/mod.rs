@@ -2,6 +2,7 @@
 
 pub mod circle;
 pub mod constant;
+pub mod door;
 mod double;
 pub mod doubt;
 pub mod execution;

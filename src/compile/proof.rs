@@ -11,6 +11,7 @@ use crate::algebra::number::Rational;
 use crate::algebra::ring::Ring;
 
 use super::constant::Constant;
+use super::door;
 use super::doubt::{Doubt, Reason};
 use super::execution::{Domain, execute};
 use super::operations;
@@ -75,7 +76,13 @@ pub fn prove_files(
         reason: Reason::Unreadable(unreadable),
     })?;
     let point = Point::of(specification, ring);
-    for (place, reading) in &readings {
+    if let Some((place, door)) = &readings.door {
+        door::check(door, specification, ring).map_err(|reason| Doubt {
+            place: place.clone(),
+            reason,
+        })?;
+    }
+    for (place, reading) in &readings.bodies {
         let mut check = || {
             operations::compare(reading, specification)?;
             point.refute(reading, specification)?;
@@ -88,7 +95,7 @@ pub fn prove_files(
     }
     Ok(Proof {
         language,
-        bodies: readings.len(),
+        bodies: readings.bodies.len(),
         outputs: specification.outputs.len(),
         constants: specification.constants.len(),
     })

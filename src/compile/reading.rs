@@ -5,7 +5,6 @@
 
 mod c;
 mod cursor;
-mod door;
 mod infix;
 mod literal;
 pub(super) mod names;
@@ -21,7 +20,7 @@ use sextic_codegen::language::{File, Language};
 
 use crate::algebra::number::Rational;
 
-use names::{Names, spellings};
+use names::{Name, Names, quantity, spellings};
 
 /// An expression of an emitted text.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,13 +58,13 @@ impl Reading {
     /// A field of the inputs is read into a variable, before anything is computed.
     fn load(
         &mut self,
-        names: &Names,
+        names: &[Name],
         field: &str,
         variable: String,
         line: usize,
     ) -> Result<(), Unreadable> {
         let refuse = |reason: String| Err(Unreadable { line, reason });
-        let Some(quantity) = names.input(field) else {
+        let Some(quantity) = quantity(names, field) else {
             return refuse(format!("`{field}` is no input"));
         };
         if !self.assignments.is_empty() {
@@ -74,6 +73,35 @@ impl Reading {
         self.inputs.push((quantity.to_string(), variable));
         Ok(())
     }
+}
+
+/// What an input is made of where angles are asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Source {
+    /// What is asked for under this name.
+    Given(String),
+    /// The cosine of an expression of angles.
+    Cosine(Term),
+    /// The sine of one.
+    Sine(Term),
+}
+
+/// The function that makes inputs from angles.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Door {
+    /// The angles that are read, as inputs, and those that are fixed, as assignments.
+    pub angles: Reading,
+    /// The inputs, and what they are made of.
+    pub inputs: Vec<(String, Source)>,
+}
+
+/// What was read of an evaluator's files, each part with its place in words.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Readings {
+    /// The functions that compute the outputs.
+    pub bodies: Vec<(String, Reading)>,
+    /// The function that takes angles, if any input is a sine or cosine.
+    pub door: Option<(String, Door)>,
 }
 
 /// Why a text could not be read: what was found where something else is expected.
@@ -93,7 +121,7 @@ impl fmt::Display for Unreadable {
 
 impl std::error::Error for Unreadable {}
 
-/// The bodies of an evaluator in some emitted files, each with its place in words.
+/// What some emitted files of an evaluator compute.
 ///
 /// Files of other evaluators, and those that all evaluators share, are not read.
 ///
@@ -106,7 +134,7 @@ pub fn read(
     files: &[File],
     evaluator: &Evaluator,
     language: Language,
-) -> Result<Vec<(String, Reading)>, (String, Unreadable)> {
+) -> Result<Readings, (String, Unreadable)> {
     let (main, ending) = match language {
         Language::Rust => ("rs", "rs"),
         Language::C => ("c", "h"),
@@ -130,23 +158,29 @@ pub fn read(
     let (path, source) = text(main)?;
     let unreadable = |unreadable| (path.clone(), unreadable);
     let place = |suffix: &str| format!("{path}, `{function}{suffix}`");
-    match language {
+    let (bodies, door) = match language {
         Language::Rust => {
-            let reading = rust::read(source, &mut names).map_err(unreadable)?;
-            Ok(vec![(place("_body"), reading)])
+            let (reading, door) = rust::read(source, &mut names).map_err(unreadable)?;
+            (
+                vec![(place("_body"), reading)],
+                (place("Inputs::from"), door),
+            )
         }
         Language::C => {
             let (header_path, header) = text(ending)?;
             c::read_header(header, &mut names).map_err(|unreadable| (header_path, unreadable))?;
-            let [plain, bounded] = c::read_source(source, &mut names).map_err(unreadable)?;
-            Ok(vec![
-                (place("_body"), plain),
-                (place("_with_bound"), bounded),
-            ])
+            let ([plain, bounded], door) =
+                c::read_source(source, &mut names).map_err(unreadable)?;
+            let bodies = vec![(place("_body"), plain), (place("_with_bound"), bounded)];
+            (bodies, (place("_inputs_at"), door))
         }
         Language::Python => {
-            let reading = python::read(source, &mut names).map_err(unreadable)?;
-            Ok(vec![(place(""), reading)])
+            let (reading, door) = python::read(source, &mut names).map_err(unreadable)?;
+            (vec![(place(""), reading)], (place(".at_angles"), door))
         }
-    }
+    };
+    Ok(Readings {
+        bodies,
+        door: (!names.asked.is_empty()).then_some(door),
+    })
 }

@@ -3,19 +3,19 @@
 use std::collections::BTreeMap;
 
 use sextic::algebra::ring::Ring;
+use sextic::compile::door;
 use sextic::compile::operations::compare;
 use sextic::compile::point::Point;
 use sextic::compile::proof::prove;
 use sextic::compile::reading::{Reading, read};
 use sextic::compile::specification::Specification;
-use sextic_codegen::evaluator::Quantity;
 use sextic_codegen::language::{File, Language};
 
 use super::edits::{Edit, Kind, edits};
 use super::{assert_locked, files_of, paper, specifications};
 
 /// So many changes of a kind are tried in a file, evenly spread over all of them.
-const MOST: usize = 120;
+const MOST: usize = 80;
 
 /// Normal forms examine all texts of evaluators with fewer operations; of others, those of which a point
 /// decides nothing.
@@ -41,6 +41,8 @@ struct Count {
     possible: usize,
     tried: usize,
     unreadable: usize,
+    /// Refused because inputs are made of other angles.
+    door: usize,
     operations: usize,
     point: usize,
     normal_forms: usize,
@@ -52,11 +54,12 @@ struct Count {
     same: Vec<String>,
 }
 
-const COLUMNS: [&str; 10] = [
+const COLUMNS: [&str; 11] = [
     "",
     "possible",
     "tried",
     "not read",
+    "angles",
     "operations",
     "point",
     "normal forms",
@@ -71,6 +74,7 @@ impl Count {
             self.possible,
             self.tried,
             self.unreadable,
+            self.door,
             self.operations,
             self.point,
             self.normal_forms,
@@ -145,17 +149,18 @@ fn try_all(
     counts: &mut BTreeMap<Kind, Count>,
 ) {
     let evaluator = &specification.evaluator;
-    let names = |quantities: &mut dyn Iterator<Item = &Quantity>| -> Vec<String> {
-        quantities.map(|quantity| quantity.name.clone()).collect()
-    };
+    let inputs = evaluator
+        .free_inputs()
+        .map(|input| input.quantity.name.clone());
+    let outputs = evaluator.outputs.iter().map(|output| output.name.clone());
+    let angles = evaluator
+        .angles
+        .iter()
+        .map(|angle| angle.quantity.name.clone());
+    let fields: [Vec<String>; 3] = [inputs.collect(), outputs.collect(), angles.collect()];
     let point = Point::of(specification, ring);
     for (place, file) in files.iter().enumerate() {
-        let all = edits(
-            file,
-            language,
-            &names(&mut evaluator.inputs.iter().map(|input| &input.quantity)),
-            &names(&mut evaluator.outputs.iter()),
-        );
+        let all = edits(file, language, &fields);
         for kind in Kind::ALL {
             let of_kind: Vec<&Edit> = all.iter().filter(|edit| edit.kind == kind).collect();
             let count = counts.entry(kind).or_default();
@@ -169,6 +174,13 @@ fn try_all(
                     count.unreadable += 1;
                     continue;
                 };
+                let door = readings.door.as_ref();
+                let checked = door.map(|(_, door)| door::check(door, specification, ring));
+                if checked.is_some_and(|verdict| verdict.is_err()) {
+                    count.door += 1;
+                    continue;
+                }
+                let readings = readings.bodies;
                 let compare = |(_, reading): &(String, Reading)| compare(reading, specification);
                 let is_another = readings.iter().map(compare).any(|verdict| verdict.is_err());
                 let algebra = examine(&readings, specification, &point, ring);

@@ -115,27 +115,32 @@ struct Text<'a> {
     tokens: Vec<Range<usize>>,
     /// The bodies with the usual signs, and the one with calls.
     bodies: Vec<(Range<usize>, bool)>,
-    inputs: Vec<String>,
-    outputs: Vec<String>,
+    /// Inputs, outputs, angles.
+    fields: [Vec<String>; 3],
 }
 
 /// All changes of a file that are tried.
-pub fn edits(file: &File, language: Language, inputs: &[String], outputs: &[String]) -> Vec<Edit> {
+pub fn edits(file: &File, language: Language, fields: &[Vec<String>; 3]) -> Vec<Edit> {
     let text = Text {
         text: &file.text,
         language,
         tokens: tokens(&file.text, language),
         bodies: bodies(file, language),
-        inputs: inputs.to_vec(),
-        outputs: outputs.to_vec(),
+        fields: fields.clone(),
     };
     let mut edits = Vec::new();
     for (body, is_calls) in &text.bodies {
         text.of_body(body, *is_calls, &mut edits);
     }
+    if let Some(door) = door(&file.text, language) {
+        text.of_body(&door, false, &mut edits);
+    }
     text.of_wiring(&mut edits);
-    for token in &text.tokens {
-        edits.push(Edit::one(Kind::Token, token, ""));
+    for pair in text.tokens.windows(2) {
+        // The comma behind the last of some fields says nothing.
+        if text.at(&pair[0]) != "," || text.at(&pair[1]) != "}" {
+            edits.push(Edit::one(Kind::Token, &pair[0], ""));
+        }
     }
     let mut last = 0;
     for token in &text.tokens {
@@ -262,9 +267,11 @@ impl Text<'_> {
     /// The token at which the outputs of a body begin.
     fn outputs_begin(&self, tokens: &[&Range<usize>]) -> usize {
         let is_begin = |token: &&Range<usize>| match self.language {
-            Language::Rust => self.at(token).ends_with("Outputs"),
+            Language::Rust => ["Inputs", "Outputs"]
+                .iter()
+                .any(|end| self.at(token).ends_with(end)),
             Language::C => self.at(token) == "return",
-            Language::Python => self.at(token) == "shape",
+            Language::Python => ["shape", "return"].contains(&self.at(token)),
         };
         let found = tokens.iter().position(is_begin);
         found.unwrap_or(tokens.len())
@@ -320,11 +327,13 @@ impl Text<'_> {
             if is_inside && ![".", "->"].contains(&before) {
                 continue;
             }
+            let [inputs, outputs, angles] = &self.fields;
             for (prefix, names) in [
-                ("", &self.inputs),
-                ("", &self.outputs),
-                ("in_", &self.inputs),
-                ("out_", &self.outputs),
+                ("", inputs),
+                ("", outputs),
+                ("", angles),
+                ("in_", inputs),
+                ("out_", outputs),
             ] {
                 let Some(name) = word.strip_prefix(prefix) else {
                     continue;
@@ -414,4 +423,15 @@ fn bodies(file: &File, language: Language) -> Vec<(Range<usize>, bool)> {
         }
     };
     found.into_iter().flatten().collect()
+}
+
+/// The inside of the function that takes angles.
+fn door(text: &str, language: Language) -> Option<Range<usize>> {
+    let (begin, end) = match language {
+        Language::Rust => ("Self {\n", "\n    }\n}\n"),
+        Language::C => ("_angles *angles)\n{", "\n}\n"),
+        Language::Python => ("        \"\"\"\n        ", "\n        )\n"),
+    };
+    let start = text.find(begin)? + begin.len();
+    Some(start..start + text[start..].find(end)?)
 }

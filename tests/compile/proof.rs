@@ -10,7 +10,10 @@ use sextic::compile::constant::Constant;
 use sextic::compile::proof::prove_files;
 use sextic::compile::reading::read;
 use sextic::compile::specification::Specification;
-use sextic_codegen::evaluator::Evaluator;
+use sextic::derivation::audit::audit;
+use sextic::derivation::diagnostic::SourceFile;
+use sextic::documents::ShippedLibrary;
+use sextic_codegen::evaluator::{Evaluator, Fixed, Origin};
 use sextic_codegen::language::{File, Language, emit};
 use sextic_codegen::program::{Operation, Program};
 
@@ -120,19 +123,19 @@ fn a_doubt_says_where_and_what() {
             Language::C,
             "return match_body(inputs);",
             "return match_body(0);",
-            "match.c, line 31: `0` stands where `inputs` is expected",
+            "match.c, line LINE: `0` stands where `inputs` is expected",
         ),
         (
             Language::C,
             "    double lambda;",
             "    float lambda;",
-            "match.h, line 25: `float` stands where the declaration of `lambda` is expected",
+            "match.h, line LINE: `float` stands where the declaration of `lambda` is expected",
         ),
         (
             Language::Python,
             "I = a + lambda_ + b * b",
             "I = a + lambda_ + b ** b",
-            "match_.py, line 67: `**` stands where the end of the line is expected",
+            "match_.py, line LINE: `**` stands where the end of the line is expected",
         ),
         (
             Language::Rust,
@@ -147,9 +150,14 @@ fn a_doubt_says_where_and_what() {
             "match_.rs, `match__body`: 1/10 is no double",
         ),
     ] {
+        let files = sample.files(language);
+        let file = files.iter().find(|file| file.text.contains(old)).unwrap();
+        let before = &file.text[..file.text.find(old).unwrap()];
+        let line = before.matches('\n').count() + 1;
+        let expected = expected.replace("LINE", &line.to_string());
         assert_eq!(
             sample.judged(language, &[(old, new)]),
-            Err(expected.to_owned()),
+            Err(expected),
             "{new}"
         );
     }
@@ -350,9 +358,14 @@ fn fixed(value: &Rational) -> [Sample; 2] {
             lower: value.clone(),
             upper: value.clone(),
         }];
-        sample.specification.evaluator.inputs.remove(2);
+        let evaluator = &mut sample.specification.evaluator;
+        evaluator.inputs[2].origin = Origin::Fixed(Fixed {
+            value: value.clone(),
+            text: String::new(),
+        });
         if let Some(program) = program {
-            sample.specification.evaluator.program = program;
+            evaluator.inputs.remove(2);
+            evaluator.program = program;
         }
         sample
     };
@@ -461,6 +474,79 @@ fn a_fixed_input_is_the_double_nearest_to_its_value() {
         &mut negative.ring,
     );
     assert!(proof.is_ok(), "{proof:?}");
+}
+
+#[test]
+fn fixed_inputs_are_proven_as_they_are_emitted() {
+    for (above, below) in [(89, 5_000), (-1, 3), (1, 10), (7, 1), (-1_000_001, 999_983)] {
+        let value = Rational::from(above) / Rational::from(below);
+        for language in Language::ALL {
+            let [mut sample, _] = fixed(&value);
+            assert_eq!(sample.judged(language, &[]), Ok(()), "{language}, {value}");
+        }
+    }
+}
+
+/// An evaluator of a cos(α − 2β + γ), where γ is fixed.
+fn turned() -> Sample {
+    let text = "# Angles\n\n```sextic\nangle α, β, γ\nparameter a : m > 0\n\
+        evaluator [f] matched: x = a*cos(α - 2*β + γ)\n```\n";
+    let source = SourceFile::new("angles.md", text);
+    let mut audit =
+        audit(&source, &ShippedLibrary).unwrap_or_else(|e| panic!("{:?}", e.diagnostics));
+    let mut specification = specifications(&mut audit).remove(0);
+    let angles = specification.evaluator.angles.iter_mut();
+    for angle in angles.filter(|angle| angle.quantity.name == "gamma") {
+        angle.fixed = Some(Fixed {
+            value: Rational::from(3) / Rational::from(10),
+            text: String::new(),
+        });
+    }
+    Sample {
+        specification,
+        ring: audit.elaborator.ring,
+    }
+}
+
+#[test]
+fn angles_are_followed() {
+    let mut sample = turned();
+    for language in Language::ALL {
+        let files = sample.files(language);
+        let text: Vec<&str> = files.iter().map(|file| file.text.as_str()).collect();
+        let text = text.join("");
+        assert_eq!(sample.judged(language, &[]), Ok(()), "{text}");
+        for (old, new, is_proven) in [
+            ("2.0 * beta", "beta * 2.0", true),
+            ("2.0 * beta", "(beta + beta)", true),
+            ("2.0 * beta", "beta", false),
+            ("2.0 * beta", "2.0 * alpha", false),
+            ("2.0 * beta", "-2.0 * beta", false),
+            ("2.0 * beta", "2.0 * beta * beta", false),
+            ("gamma", "gamma - alpha", false),
+            ("0.3", "0.4", false),
+            ("0.3", "0.30000000000000001", true),
+            ("np.cos(", "np.sin(", false),
+            (".cos()", ".sin()", false),
+            ("= cos(", "= sin(", false),
+            ("a=a", "a=beta", false),
+            ("angles.a", "angles.beta", false),
+            ("angles->a,", "angles->beta,", false),
+            ("angles->alpha", "angles->beta", false),
+            ("angles.alpha", "angles.beta", false),
+            ("np.asarray(alpha,", "np.asarray(beta,", false),
+            ("cls(", "RodInputs(", false),
+            ("double beta;", "float beta;", false),
+            ("pub beta: f64", "pub beta: f32", false),
+            ("        *,\n", "", false),
+        ] {
+            if !text.contains(old) {
+                continue;
+            }
+            let verdict = sample.judged(language, &[(old, new)]);
+            assert_eq!(verdict.is_ok(), is_proven, "{language}, {new}: {verdict:?}");
+        }
+    }
 }
 
 proptest! {

@@ -29,7 +29,9 @@ struct Mutant {
 }
 
 /// Variants that are true, with the reason; they are told by what the changed text contains.
-const IDENTITIES: [(&str, &str, &str); 8] = [
+const IDENTITIES: [(&str, &str, &str); 10] = [
+    ("the scaled matrix", "S_a == S_a", "a matrix is itself"),
+    ("the scaled matrix", "S_w == S_w", "a matrix is itself"),
     (
         "terms in the square of the rate",
         "== [0; 0]",

@@ -7,7 +7,7 @@
 //! - Rounding: largest error 8.6e6 units in the last place; at 99 of 100 points at most 63.65.
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
-//! - Hash of the document: `432d76dcde281cfc216dc887b7c738ae10381d8e1cbbfb4598d7627e76cfbda5`
+//! - Hash of the document: `24ac822521afcb819fb3c190c58f330ca2366f5a6525994bca35b08a0005d6af`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -183,7 +183,7 @@ fn hurwitz_determinants_body<T: Arithmetic>(
 ///
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
-/// - Hash of the document: `432d76dcde281cfc216dc887b7c738ae10381d8e1cbbfb4598d7627e76cfbda5`
+/// - Hash of the document: `24ac822521afcb819fb3c190c58f330ca2366f5a6525994bca35b08a0005d6af`
 #[must_use]
 pub fn hurwitz_determinants(inputs: &HurwitzDeterminantsInputs<f64>) -> HurwitzDeterminantsOutputs<f64> {
     hurwitz_determinants_body(inputs)

@@ -7,7 +7,7 @@
 //! - Rounding: largest error 4.9e10 units in the last place; at 99 of 100 points at most 1.8e7.
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
-//! - Hash of the document: `432d76dcde281cfc216dc887b7c738ae10381d8e1cbbfb4598d7627e76cfbda5`
+//! - Hash of the document: `24ac822521afcb819fb3c190c58f330ca2366f5a6525994bca35b08a0005d6af`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -394,7 +394,7 @@ fn matching_residuals_body<T: Arithmetic>(
 ///
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
-/// - Hash of the document: `432d76dcde281cfc216dc887b7c738ae10381d8e1cbbfb4598d7627e76cfbda5`
+/// - Hash of the document: `24ac822521afcb819fb3c190c58f330ca2366f5a6525994bca35b08a0005d6af`
 #[must_use]
 pub fn matching_residuals(inputs: &MatchingResidualsInputs<f64>) -> MatchingResidualsOutputs<f64> {
     matching_residuals_body(inputs)

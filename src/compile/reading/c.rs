@@ -3,10 +3,10 @@
 use super::cursor::Cursor;
 use super::infix::expression;
 use super::literal::decimal;
-use super::names::Names;
+use super::names::{Name, Names, quantity};
 use super::shape::{Hole, follow};
 use super::token::{Dialect, tokens};
-use super::{Reading, Term, Unreadable};
+use super::{Door, Reading, Source, Term, Unreadable};
 
 /// What a header is.
 const HEADER: &str = include_str!("shapes/c_header.txt");
@@ -18,7 +18,15 @@ const SOURCE: &str = include_str!("shapes/c_source.txt");
 const DEEPEST: usize = 64;
 
 /// Words that no variable may have for a name.
-const TAKEN: [&str; 4] = ["inputs", "sqrt", "sextic_exact", "sextic_square_root"];
+const TAKEN: [&str; 7] = [
+    "inputs",
+    "angles",
+    "sqrt",
+    "cos",
+    "sin",
+    "sextic_exact",
+    "sextic_square_root",
+];
 
 /// Checks the header: its structures have exactly the fields of the evaluator, in order.
 ///
@@ -43,11 +51,14 @@ pub(super) fn read_header(text: &str, names: &mut Names) -> Result<(), Unreadabl
 /// # Errors
 ///
 /// [`Unreadable`] at the first token that is not as it must be.
-pub(super) fn read_source(text: &str, names: &mut Names) -> Result<[Reading; 2], Unreadable> {
+pub(super) fn read_source(
+    text: &str,
+    names: &mut Names,
+) -> Result<([Reading; 2], Door), Unreadable> {
     let tokens = tokens(text, Dialect::C)?;
     let mut cursor = Cursor::new(&tokens);
     let (mut plain, mut bounded) = (Reading::default(), Reading::default());
-    let outputs = names.outputs.clone();
+    let mut door = Door::default();
     follow(
         SOURCE,
         Dialect::C,
@@ -55,21 +66,26 @@ pub(super) fn read_source(text: &str, names: &mut Names) -> Result<[Reading; 2],
         &mut cursor,
         &mut |hole, names, cursor| {
             match hole {
-                Hole::Body => statements(cursor, &Plain, names, &mut plain)?,
-                Hole::BoundedBody => statements(cursor, &Bounded, names, &mut bounded)?,
+                Hole::Body => statements(cursor, &Plain, &names.inputs, &mut plain)?,
+                Hole::BoundedBody => statements(cursor, &Bounded, &names.inputs, &mut bounded)?,
                 Hole::Result(place) => {
-                    let output = outputs[place].quantity.clone();
+                    let output = names.outputs[place].quantity.clone();
                     plain.outputs.push((output, Plain.value(cursor)?));
                 }
                 Hole::BoundedResult(place) => {
-                    let output = outputs[place].quantity.clone();
+                    let output = names.outputs[place].quantity.clone();
                     bounded.outputs.push((output, Bounded.value(cursor)?));
+                }
+                Hole::Door => statements(cursor, &Angles, &names.asked, &mut door.angles)?,
+                Hole::Source(place) => {
+                    let input = names.inputs[place].quantity.clone();
+                    door.inputs.push((input, source(cursor, &names.asked)?));
                 }
             }
             Ok(())
         },
     )?;
-    Ok([plain, bounded])
+    Ok(([plain, bounded], door))
 }
 
 /// How a body writes types, inputs and values.
@@ -93,6 +109,40 @@ impl Notation for Plain {
     }
 }
 
+/// Angles that are read, and expressions of them.
+struct Angles;
+
+impl Notation for Angles {
+    const TYPE: &'static str = "double";
+    const LOAD: (&'static [&'static str], &'static [&'static str]) = (&["angles", "->"], &[]);
+
+    fn value(&self, cursor: &mut Cursor<'_, '_>) -> Result<Term, Unreadable> {
+        expression(cursor, &["sqrt"])
+    }
+}
+
+/// `angles->m`, `cos(alpha + beta)`
+fn source(cursor: &mut Cursor<'_, '_>, asked: &[Name]) -> Result<Source, Unreadable> {
+    if cursor.accept(&["angles", "->"]) {
+        let field = cursor.word()?;
+        return match quantity(asked, field) {
+            Some(name) => Ok(Source::Given(name.to_string())),
+            None => Err(cursor.refuse(&format!("something else behind `{field}`"))),
+        };
+    }
+    let is_cosine = cursor.accept(&["cos"]);
+    if !is_cosine {
+        cursor.expect(&["sin"])?;
+    }
+    cursor.expect(&["("])?;
+    let angle = Angles.value(cursor)?;
+    cursor.expect(&[")"])?;
+    Ok(match is_cosine {
+        true => Source::Cosine(angle),
+        false => Source::Sine(angle),
+    })
+}
+
 /// Calls of the functions of `sextic_bounded.h`.
 struct Bounded;
 
@@ -110,7 +160,7 @@ impl Notation for Bounded {
 fn statements<N: Notation>(
     cursor: &mut Cursor<'_, '_>,
     notation: &N,
-    names: &Names,
+    names: &[Name],
     reading: &mut Reading,
 ) -> Result<(), Unreadable> {
     while cursor.accept(&["const"]) {

@@ -1,8 +1,6 @@
 //! What an emitted text calls the quantities of an evaluator.
 
-use sextic_codegen::evaluator::{Evaluator, Quantity};
-
-use super::door::Door;
+use sextic_codegen::evaluator::{Evaluator, Origin};
 
 /// How many underscores a name that is not free in a language may get.
 const MOST_UNDERSCORES: usize = 3;
@@ -21,62 +19,25 @@ pub struct Names {
     pub(super) function: String,
     pub(super) inputs: Vec<Name>,
     pub(super) outputs: Vec<Name>,
-    /// What the inputs are made of, if they can be made of angles.
-    pub(super) door: Option<Door>,
-    /// What the door asks for.
+    /// What is asked for instead of sines and cosines; empty where there are none.
     pub(super) asked: Vec<Name>,
-    /// The angles that the door does not ask for.
-    pub(super) fixed: Vec<Name>,
 }
 
 impl Names {
     /// The names of an evaluator that a text calls like this, before its declarations have been read.
     pub(super) fn new(evaluator: &Evaluator, function: &str) -> Self {
-        let unknown = |quantity: &Quantity| Name {
-            quantity: quantity.name.clone(),
-            text: None,
-        };
-        let named = |quantity: &String| Name {
+        let unknown = |quantity: &String| Name {
             quantity: quantity.clone(),
             text: None,
         };
-        let inputs = evaluator.free_inputs().map(|input| &input.quantity);
-        let door = Door::of(evaluator);
-        let asked = door.iter().flat_map(|door| &door.asked);
-        let fixed = door.iter().flat_map(|door| &door.fixed);
+        let inputs = evaluator.free_inputs().map(|input| &input.quantity.name);
+        let outputs = evaluator.outputs.iter().map(|output| &output.name);
         Names {
             function: function.to_string(),
             inputs: inputs.map(unknown).collect(),
-            outputs: evaluator.outputs.iter().map(unknown).collect(),
-            asked: asked.map(named).collect(),
-            fixed: fixed.map(|(name, _)| named(name)).collect(),
-            door,
+            outputs: outputs.map(unknown).collect(),
+            asked: asked(evaluator).into_iter().map(unknown).collect(),
         }
-    }
-
-    /// The quantity of a field of the inputs.
-    pub(super) fn input(&self, field: &str) -> Option<&str> {
-        quantity(&self.inputs, field)
-    }
-
-    /// The quantity of a field of the outputs.
-    pub(super) fn output(&self, field: &str) -> Option<&str> {
-        quantity(&self.outputs, field)
-    }
-
-    /// What the door calls a quantity that it asks for.
-    pub(super) fn asked(&self, quantity: &str) -> Option<&str> {
-        let found = self.asked.iter().find(|name| name.quantity == quantity);
-        found.and_then(|name| name.text.as_deref())
-    }
-
-    /// The angle of a variable of the door.
-    pub(super) fn angle(&self, text: &str) -> Option<&str> {
-        let angles = self.door.iter().flat_map(|door| &door.angles);
-        let asked = angles.map(|place| &self.asked[*place]);
-        let mut all = asked.chain(&self.fixed);
-        let found = all.find(|name| name.text.as_deref() == Some(text));
-        found.map(|name| name.quantity.as_str())
     }
 
     /// `ClosedForm` for `closed_form`; two numbers do not run into one another.
@@ -97,7 +58,40 @@ impl Names {
     }
 }
 
-fn quantity<'n>(names: &'n [Name], field: &str) -> Option<&'n str> {
+/// Angles that are not fixed in the place of their sines and cosines, each once, in the order of the
+/// inputs; nothing if no input is a sine or cosine.
+fn asked(evaluator: &Evaluator) -> Vec<&String> {
+    let mut asked: Vec<&String> = Vec::new();
+    let mut add = |name| {
+        if !asked.contains(&name) {
+            asked.push(name);
+        }
+    };
+    for input in evaluator.free_inputs() {
+        match &input.origin {
+            Origin::Given => add(&input.quantity.name),
+            Origin::Circular(circular) => {
+                let angles = circular
+                    .angle
+                    .iter()
+                    .filter_map(|(_, name)| evaluator.angle(name));
+                let open = angles.filter(|angle| angle.fixed.is_none());
+                open.for_each(|angle| add(&angle.quantity.name));
+            }
+            Origin::Fixed(_) => {}
+        }
+    }
+    match evaluator
+        .free_inputs()
+        .any(|input| input.circular().is_some())
+    {
+        true => asked,
+        false => Vec::new(),
+    }
+}
+
+/// The quantity that a text calls like this.
+pub(super) fn quantity<'n>(names: &'n [Name], field: &str) -> Option<&'n str> {
     let found = names
         .iter()
         .find(|name| name.text.as_deref() == Some(field));

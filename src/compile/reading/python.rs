@@ -2,10 +2,10 @@
 
 use super::cursor::Cursor;
 use super::infix::expression;
-use super::names::Names;
+use super::names::{Name, Names, quantity};
 use super::shape::{Hole, follow};
 use super::token::{Dialect, tokens};
-use super::{Reading, Unreadable};
+use super::{Door, Reading, Source, Unreadable};
 
 /// What a module is.
 const MODULE: &str = include_str!("shapes/python.txt");
@@ -13,57 +13,87 @@ const MODULE: &str = include_str!("shapes/python.txt");
 /// The tokens of a square root.
 const ROOT: [&str; 3] = ["np", ".", "sqrt"];
 
-/// The start of a line of the body.
+/// The start of a line of the function.
 const LINE: &str = "\n    ";
+
+/// The start of a line of the method that takes angles.
+const INNER_LINE: &str = "\n        ";
 
 /// Reads a module: two classes with exactly the fields of the evaluator, and a function.
 ///
 /// # Errors
 ///
 /// [`Unreadable`] at the first token that is not as it must be.
-pub(super) fn read(text: &str, names: &mut Names) -> Result<Reading, Unreadable> {
+pub(super) fn read(text: &str, names: &mut Names) -> Result<(Reading, Door), Unreadable> {
     let tokens = tokens(text, Dialect::Python)?;
     let mut cursor = Cursor::new(&tokens);
-    let mut reading = Reading::default();
-    let outputs = names.outputs.clone();
+    let (mut reading, mut door) = (Reading::default(), Door::default());
     follow(
         MODULE,
         Dialect::Python,
         names,
         &mut cursor,
         &mut |hole, names, cursor| match hole {
-            Hole::Body => statements(cursor, names, &mut reading),
+            Hole::Body => {
+                let read: [&str; 2] = ["inputs", "."];
+                statements(
+                    cursor,
+                    [LINE, "shape", "="],
+                    &read,
+                    &names.inputs,
+                    &mut reading,
+                )
+            }
             Hole::Result(place) => {
-                let output = outputs[place].quantity.clone();
+                let output = names.outputs[place].quantity.clone();
                 reading.outputs.push((output, expression(cursor, &ROOT)?));
+                Ok(())
+            }
+            Hole::Door => {
+                let end = [INNER_LINE, "return", "cls"];
+                statements(cursor, end, &[], &names.asked, &mut door.angles)
+            }
+            Hole::Source(place) => {
+                let input = names.inputs[place].quantity.clone();
+                door.inputs.push((input, source(cursor, &names.asked)?));
                 Ok(())
             }
             Hole::BoundedBody | Hole::BoundedResult(_) => Err(cursor.refuse("one body")),
         },
     )?;
-    Ok(reading)
+    Ok((reading, door))
 }
 
-/// `t1 = a * b`, a line each, until the shape of the outputs is found.
+/// `t1 = a * b`, a line each, until what stands behind them is found; `read` are the tokens in front of
+/// the name of a field that is read.
 fn statements(
     cursor: &mut Cursor<'_, '_>,
-    names: &Names,
+    end: [&str; 3],
+    read: &[&str],
+    names: &[Name],
     reading: &mut Reading,
 ) -> Result<(), Unreadable> {
-    // The hole stands behind the start of its first line.
-    while !cursor.is_at(&[LINE, "shape", "="]) {
-        cursor.expect(&[LINE])?;
-        let taken = ["np", "inputs", "shape"].map(|word| cursor.is_at(&[word]));
+    // The hole stands behind the line before its first one.
+    while !cursor.is_at(&end) {
+        cursor.expect(&end[..1])?;
+        let taken = ["np", "inputs", "shape", "cls"].map(|word| cursor.is_at(&[word]));
         if taken.contains(&true) {
             return Err(cursor.refuse("a free name"));
         }
         let variable = cursor.word()?.to_string();
         cursor.expect(&["="])?;
-        if cursor.accept(&["np", ".", "asarray", "(", "inputs", "."]) {
+        if cursor.accept(&["np", ".", "asarray", "("]) {
+            cursor.expect(read)?;
             let line = cursor.line();
+            // An argument keeps its name, so that no other one is taken for it later.
+            if read.is_empty() && cursor.peek() != Some(variable.as_str()) {
+                return Err(cursor.refuse(&format!("`{variable}`")));
+            }
             let field = cursor.word()?;
             cursor.expect(&[",", "dtype", "=", "np", ".", "float64", ")"])?;
             reading.load(names, field, variable, line)?;
+        } else if read.is_empty() && quantity(names, &variable).is_some() {
+            return Err(cursor.refuse("an array"));
         } else {
             reading
                 .assignments
@@ -71,4 +101,24 @@ fn statements(
         }
     }
     Ok(())
+}
+
+/// `m`, `np.cos(alpha + beta)`
+fn source(cursor: &mut Cursor<'_, '_>, asked: &[Name]) -> Result<Source, Unreadable> {
+    if let Some(name) = cursor.peek().and_then(|word| quantity(asked, word)) {
+        cursor.advance();
+        return Ok(Source::Given(name.to_string()));
+    }
+    cursor.expect(&["np", "."])?;
+    let is_cosine = cursor.accept(&["cos"]);
+    if !is_cosine {
+        cursor.expect(&["sin"])?;
+    }
+    cursor.expect(&["("])?;
+    let angle = expression(cursor, &ROOT)?;
+    cursor.expect(&[")"])?;
+    Ok(match is_cosine {
+        true => Source::Cosine(angle),
+        false => Source::Sine(angle),
+    })
 }

@@ -1,13 +1,13 @@
 //! Reads emitted Rust: the module by its shape, its body with `syn`.
 
-use syn::{BinOp, Block, Expr, Lit, Local, Member, Pat, Stmt, UnOp};
+use syn::{BinOp, Block, Expr, Lit, Local, Member, Pat, Stmt, Type, UnOp};
 
 use super::cursor::{Cursor, is_word};
 use super::literal::decimal;
-use super::names::Names;
+use super::names::{Name, Names, quantity};
 use super::shape::{Hole, follow};
 use super::token::{Dialect, tokens};
-use super::{Reading, Term, Unreadable};
+use super::{Door, Reading, Source, Term, Unreadable};
 
 /// What a module is.
 const MODULE: &str = include_str!("shapes/rust.txt");
@@ -29,26 +29,31 @@ const LONGEST: usize = 1_000;
 ///
 /// [`Unreadable`] at the first token that is not as it must be, and for the first statement of the body
 /// that is no assignment of a value.
-pub(super) fn read(text: &str, names: &mut Names) -> Result<Reading, Unreadable> {
+pub(super) fn read(text: &str, names: &mut Names) -> Result<(Reading, Door), Unreadable> {
     let tokens = tokens(text, Dialect::Rust)?;
     let mut cursor = Cursor::new(&tokens);
-    let mut reading = Reading::default();
+    let (mut reading, mut door) = (Reading::default(), Door::default());
     follow(
         MODULE,
         Dialect::Rust,
         names,
         &mut cursor,
         &mut |hole, names, cursor| {
-            if hole != Hole::Body {
-                return Err(cursor.refuse("one body"));
-            }
             let line = cursor.line();
-            let block = block(text, cursor)?;
-            reading = body(&block, names).map_err(|reason| Unreadable { line, reason })?;
+            let unreadable = |reason| Unreadable { line, reason };
+            match hole {
+                Hole::Body => {
+                    reading = body(&block(text, cursor)?, names).map_err(unreadable)?;
+                }
+                Hole::Door => {
+                    door = door_body(&block(text, cursor)?, names).map_err(unreadable)?;
+                }
+                _ => return Err(cursor.refuse("one body")),
+            }
             Ok(())
         },
     )?;
-    Ok(reading)
+    Ok((reading, door))
 }
 
 /// Everything before the brace that ends the function, if it is not too deep for a parser.
@@ -85,9 +90,67 @@ fn block(text: &str, cursor: &mut Cursor<'_, '_>) -> Result<Block, Unreadable> {
     })
 }
 
-/// Reads the statements; why they are none, otherwise.
+/// Reads the statements of a body; why they are none, otherwise.
 fn body(block: &Block, names: &Names) -> Result<Reading, String> {
     let mut reading = Reading::default();
+    let fields = statements(block, names, "Outputs", |local| {
+        assignment(local, "inputs", &names.inputs, &mut reading)
+    })?;
+    for (name, value) in fields {
+        let Some(output) = quantity(&names.outputs, &name) else {
+            return Err(format!("`{name}` is no output"));
+        };
+        let value = term(value).map_err(|reason| format!("{reason} in `{name}`"))?;
+        reading.outputs.push((output.to_string(), value));
+    }
+    Ok(reading)
+}
+
+/// Reads the statements of the function that takes angles.
+fn door_body(block: &Block, names: &Names) -> Result<Door, String> {
+    let mut door = Door::default();
+    let fields = statements(block, names, "Inputs", |local| {
+        assignment(local, "angles", &names.asked, &mut door.angles)
+    })?;
+    for (name, value) in fields {
+        let Some(input) = quantity(&names.inputs, &name) else {
+            return Err(format!("`{name}` is no input"));
+        };
+        let source =
+            source(value, &names.asked).map_err(|reason| format!("{reason} in `{name}`"))?;
+        door.inputs.push((input.to_string(), source));
+    }
+    Ok(door)
+}
+
+/// `angles.m`, `(alpha + beta).cos()`
+fn source(expression: &Expr, asked: &[Name]) -> Result<Source, String> {
+    if let Some(field) = field_of(expression, "angles") {
+        let name = quantity(asked, &field);
+        return name
+            .map(|name| Source::Given(name.to_string()))
+            .ok_or(format!("`{field}`"));
+    }
+    match expression {
+        Expr::MethodCall(call) if call.args.is_empty() && call.turbofish.is_none() => {
+            let angle = term(&call.receiver)?;
+            match call.method.to_string().as_str() {
+                "cos" => Ok(Source::Cosine(angle)),
+                "sin" => Ok(Source::Sine(angle)),
+                name => Err(format!("a call of `{name}`")),
+            }
+        }
+        _ => Err("what is neither given nor a sine or cosine".into()),
+    }
+}
+
+/// Reads `let` by `let`, and gives the fields of the structure at the end.
+fn statements<'b>(
+    block: &'b Block,
+    names: &Names,
+    kind: &str,
+    mut read: impl FnMut(&Local) -> Result<(), String>,
+) -> Result<Vec<(String, &'b Expr)>, String> {
     let Some((last, statements)) = block.stmts.split_last() else {
         return Err("an empty body".into());
     };
@@ -95,47 +158,46 @@ fn body(block: &Block, names: &Names) -> Result<Reading, String> {
         let Stmt::Local(local) = statement else {
             return Err("a statement that is no `let`".into());
         };
-        assignment(local, names, &mut reading)?;
+        read(local)?;
     }
     let Stmt::Expr(Expr::Struct(returned), None) = last else {
         return Err("the body does not end in a structure".into());
     };
-    if returned.rest.is_some()
-        || !returned
-            .path
-            .is_ident(&format!("{}Outputs", names.type_prefix()))
-    {
-        return Err("the body does not end in a structure of its outputs".into());
+    let wanted = format!("{}{kind}", names.type_prefix());
+    if returned.rest.is_some() || !returned.path.is_ident(&wanted) {
+        return Err(format!("the body does not end in a structure `{wanted}`"));
     }
-    for field in &returned.fields {
-        let Member::Named(name) = &field.member else {
-            return Err("a field without a name".into());
-        };
-        let name = name.to_string();
-        let Some(quantity) = names.output(&name) else {
-            return Err(format!("`{name}` is no output"));
-        };
-        let value = term(&field.expr).map_err(|reason| format!("{reason} in `{name}`"))?;
-        reading.outputs.push((quantity.to_string(), value));
-    }
-    Ok(reading)
+    let fields = returned.fields.iter().map(|field| match &field.member {
+        Member::Named(name) => Ok((name.to_string(), &field.expr)),
+        Member::Unnamed(_) => Err("a field without a name".to_string()),
+    });
+    fields.collect()
 }
 
-/// `let t1 = a * b;`
-fn assignment(local: &Local, names: &Names, reading: &mut Reading) -> Result<(), String> {
-    let variable = match &local.pat {
+/// `let t1 = a * b;`, `let alpha: f64 = 0.5;`
+fn assignment(
+    local: &Local,
+    argument: &str,
+    names: &[Name],
+    reading: &mut Reading,
+) -> Result<(), String> {
+    let pattern = match &local.pat {
+        Pat::Type(typed) if argument == "angles" && is_double(&typed.ty) => typed.pat.as_ref(),
+        pattern => pattern,
+    };
+    let variable = match pattern {
         Pat::Ident(name) if name.by_ref.is_none() && name.mutability.is_none() => {
             name.ident.to_string()
         }
         _ => return Err("a pattern that is no plain variable".into()),
     };
-    if variable == "inputs" {
-        return Err("`inputs` gets another meaning".into());
+    if variable == argument {
+        return Err(format!("`{argument}` gets another meaning"));
     }
     let Some(init) = local.init.as_ref().filter(|init| init.diverge.is_none()) else {
         return Err(format!("`{variable}` has no plain value"));
     };
-    match input_field(&init.expr) {
+    match field_of(&init.expr, argument) {
         Some(field) => reading
             .load(names, &field, variable, 0)
             .map_err(|unreadable| unreadable.reason),
@@ -147,15 +209,20 @@ fn assignment(local: &Local, names: &Names, reading: &mut Reading) -> Result<(),
     }
 }
 
+/// Whether a type is that of doubles.
+fn is_double(kind: &Type) -> bool {
+    matches!(kind, Type::Path(path) if path.path.is_ident("f64"))
+}
+
 /// `m` of `inputs.m`
-fn input_field(expression: &Expr) -> Option<String> {
+fn field_of(expression: &Expr, argument: &str) -> Option<String> {
     let Expr::Field(field) = expression else {
         return None;
     };
     let (Expr::Path(base), Member::Named(name)) = (field.base.as_ref(), &field.member) else {
         return None;
     };
-    base.path.is_ident("inputs").then(|| name.to_string())
+    base.path.is_ident(argument).then(|| name.to_string())
 }
 
 fn term(expression: &Expr) -> Result<Term, String> {

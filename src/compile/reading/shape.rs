@@ -1,9 +1,9 @@
 //! What stands around the bodies of an emitted file, token for token.
 //!
-//! A shape is the text of such a file with holes. Where a line has `$input`, `$output`, `$asked`, `$angle`
-//! or `$fixed` it stands there once for each of them, in order; `$function`, `$Function` and `$GUARD` are
-//! the name of the evaluator, `$first` is the first input. The other words with a dollar sign are holes for
-//! what is computed. Lines behind a question mark stand there if inputs can be made of angles.
+//! A shape is the text of such a file with holes. Where a line has `$input` or `$output` it stands there
+//! once for each of them, in order, and so with `$asked`, which is what angles and other inputs are called
+//! where angles are asked for; only evaluators with such have the lines with a question mark. `$function`, `$Function` and `$GUARD` are the name of the evaluator,
+//! `$first` is the first input. The other words with a dollar sign are holes for what is computed.
 
 use super::Unreadable;
 use super::cursor::Cursor;
@@ -17,35 +17,8 @@ pub(super) enum Hole {
     BoundedBody,
     Result(usize),
     BoundedResult(usize),
-}
-
-/// The lists whose members have a line each.
-#[derive(Clone, Copy)]
-enum List {
-    Inputs,
-    Outputs,
-    Asked,
-    Fixed,
-}
-
-impl List {
-    /// The words for a member, and the list it is of; the angles are some of what is asked for.
-    const ALL: [(&'static str, List); 5] = [
-        ("$input", List::Inputs),
-        ("$output", List::Outputs),
-        ("$asked", List::Asked),
-        ("$angle", List::Asked),
-        ("$fixed", List::Fixed),
-    ];
-
-    fn of(self, names: &mut Names) -> &mut Vec<Name> {
-        match self {
-            List::Inputs => &mut names.inputs,
-            List::Outputs => &mut names.outputs,
-            List::Asked => &mut names.asked,
-            List::Fixed => &mut names.fixed,
-        }
-    }
+    Door,
+    Source(usize),
 }
 
 /// Moves over a text that has a shape, and reads what is in its holes.
@@ -62,42 +35,24 @@ pub(super) fn follow<'t, 'a>(
     cursor: &mut Cursor<'t, 'a>,
     read: &mut dyn FnMut(Hole, &Names, &mut Cursor<'t, 'a>) -> Result<(), Unreadable>,
 ) -> Result<(), Unreadable> {
-    let door = names.door.clone();
     for line in shape.lines() {
-        let line = match (line.strip_prefix("? "), &door) {
-            (Some(line), Some(_)) => line,
-            (Some(_), None) => continue,
-            (None, _) => line,
+        let line = match line.strip_prefix('?') {
+            Some(_) if names.asked.is_empty() => continue,
+            Some(line) => of_function(line, names),
+            None => of_function(line, names),
         };
-        let line = of_function(line, names);
-        let word = List::ALL.into_iter().find(|(word, _)| line.contains(word));
-        let places = match (word, &door) {
-            (Some(("$angle", _)), Some(door)) => door.angles.clone(),
-            (Some((_, list)), _) => (0..list.of(names).len()).collect(),
-            (None, _) => vec![0],
-        };
-        for place in places {
-            let line = match word {
-                Some((word, list)) => {
-                    of_quantity(&line, word, list.of(names), place, dialect, cursor)?
-                }
-                None => line.clone(),
-            };
+        let count = quantities(&line, names).map_or(1, |(_, quantities)| quantities.len());
+        for place in 0..count {
+            let line = of_quantity(&line, place, dialect, names, cursor)?;
             for token in tokens(&line, dialect)? {
-                let hole = match (token.text, &door) {
-                    ("$body", _) => Hole::Body,
-                    ("$bounded_body", _) => Hole::BoundedBody,
-                    ("$result", _) => Hole::Result(place),
-                    ("$bounded_result", _) => Hole::BoundedResult(place),
-                    ("$made", Some(door)) => {
-                        door.made(place, dialect, names, cursor)?;
-                        continue;
-                    }
-                    ("$number", Some(door)) => {
-                        door.number(place, cursor)?;
-                        continue;
-                    }
-                    (text, _) => {
+                let hole = match token.text {
+                    "$body" => Hole::Body,
+                    "$bounded_body" => Hole::BoundedBody,
+                    "$result" => Hole::Result(place),
+                    "$bounded_result" => Hole::BoundedResult(place),
+                    "$door" => Hole::Door,
+                    "$source" => Hole::Source(place),
+                    text => {
                         cursor.expect(&[text])?;
                         continue;
                     }
@@ -110,6 +65,9 @@ pub(super) fn follow<'t, 'a>(
 }
 
 fn of_function(line: &str, names: &Names) -> String {
+    if !line.contains('$') {
+        return line.to_string();
+    }
     let first = names.inputs.first().and_then(|name| name.text.as_deref());
     let guard = format!("SEXTIC_{}_H", names.function.to_ascii_uppercase());
     line.replace("$GUARD", &guard)
@@ -118,17 +76,32 @@ fn of_function(line: &str, names: &Names) -> String {
         .replace("$first", first.unwrap_or_default())
 }
 
-/// The line for the member of a list at a place.
+/// The quantities that a line stands there for, and the word in it.
+fn quantities<'n>(line: &str, names: &'n mut Names) -> Option<(&'static str, &'n mut Vec<Name>)> {
+    if line.contains("$input") {
+        Some(("$input", &mut names.inputs))
+    } else if line.contains("$output") {
+        Some(("$output", &mut names.outputs))
+    } else if line.contains("$asked") {
+        Some(("$asked", &mut names.asked))
+    } else {
+        None
+    }
+}
+
+/// The line for the input and output of a place.
 fn of_quantity(
     line: &str,
-    word: &str,
-    quantities: &mut [Name],
     place: usize,
     dialect: Dialect,
+    names: &mut Names,
     cursor: &Cursor<'_, '_>,
 ) -> Result<String, Unreadable> {
+    let Some((hole, quantities)) = quantities(line, names) else {
+        return Ok(line.to_string());
+    };
     if let Some(text) = &quantities[place].text {
-        return Ok(line.replace(word, text));
+        return Ok(line.replace(hole, text));
     }
     let name = quantities[place].quantity.clone();
     let taken: Vec<String> = quantities
@@ -137,11 +110,9 @@ fn of_quantity(
         .collect();
     let is_taken = |spelling: &str| taken.iter().any(|name| name == spelling);
     for spelling in spellings(&name, is_taken) {
-        let declaration = line.replace(word, &spelling);
+        let declaration = line.replace(hole, &spelling);
         let expected = tokens(&declaration, dialect)?;
-        let texts = expected.iter().map(|token| token.text);
-        // Up to a hole, if there is one.
-        let texts: Vec<&str> = texts.take_while(|text| !text.starts_with('$')).collect();
+        let texts: Vec<&str> = expected.iter().map(|token| token.text).collect();
         if cursor.is_at(&texts) {
             quantities[place].text = Some(spelling);
             return Ok(declaration);

@@ -24,7 +24,7 @@ pub(super) struct Token<'a> {
     pub(super) start: usize,
 }
 
-/// Signs of more than one character, which are not the same as these characters one by one.
+/// Signs of two characters, which are not the same as these characters one by one.
 const LONG: [&str; 17] = [
     "::", "->", "..", "--", "++", "**", "//", "==", "!=", "<=", ">=", "+=", "-=", "*=", "/=", "&&",
     "||",
@@ -146,7 +146,8 @@ impl<'a> Scanner<'a> {
             return Ok(());
         };
         match (self.dialect, first) {
-            (_, ' ' | '\n') => self.skip(1),
+            (_, '\n') => self.skip(1),
+            (_, ' ') => self.at += rest.len() - rest.trim_start_matches(' ').len(),
             (Dialect::Rust, '/') if rest.starts_with("//") => {
                 self.skip(rest.find('\n').unwrap_or(rest.len()));
             }
@@ -189,8 +190,10 @@ impl<'a> Scanner<'a> {
 
     fn sign(&mut self) -> Result<(), Unreadable> {
         let rest = self.rest();
-        if let Some(long) = LONG.iter().find(|long| rest.starts_with(**long)) {
-            self.push(long.len());
+        // Most signs stand alone, before a blank or a word.
+        let is_long = |two: &str| two.ends_with(|next| SHORT.contains(next)) && LONG.contains(&two);
+        if rest.get(..2).is_some_and(is_long) {
+            self.push(2);
             return Ok(());
         }
         match rest.chars().next() {
