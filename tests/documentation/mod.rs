@@ -6,6 +6,8 @@ mod page;
 mod sources;
 
 use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use sextic::derivation::diagnostic::SourceFile;
@@ -161,7 +163,57 @@ fn the_quoted_output_is_that_of_the_command() {
         }
         commands.push(command.split(' ').next().unwrap_or_default());
     }
-    assert_eq!(commands, ["audit", "match"]);
+    assert_eq!(commands, ["audit", "match", "evaluate"]);
+}
+
+/// The evaluators of the README are generated, compiled and run as it says.
+#[test]
+fn the_section_of_the_readme_compiles() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("readme");
+    if folder.exists() {
+        fs::remove_dir_all(&folder).expect("an old folder goes");
+    }
+    fs::create_dir_all(&folder).expect("a folder");
+    let page = Page::of("README.md");
+    let program = page.blocks_in("c").next().expect("a program in C");
+    fs::write(folder.join("main.c"), &program.text).expect("a file");
+    let text = read("README.md");
+    let commands = text
+        .lines()
+        .skip_while(|line| !line.starts_with("    SECTION="));
+    let commands = commands.take_while(|line| line.starts_with("    "));
+    let mut script = String::from("set -e\n");
+    commands.for_each(|line| script.push_str(&format!("{}\n", line.trim_start())));
+    script.push_str(
+        "gcc -std=c99 -Wall -Wextra -Werror main.c section.o -I section_c -lm -o main\n./main\n",
+    );
+    let command = Path::new(env!("CARGO_BIN_EXE_sextic"));
+    let path = std::env::var("PATH").unwrap_or_default();
+    let own = command
+        .parent()
+        .expect("the command is in a folder")
+        .display();
+    let output = Command::new("bash")
+        .args(["-c", &script])
+        .env("PATH", format!("{own}:{path}"))
+        .current_dir(&folder)
+        .output()
+        .expect("a shell");
+    let (out, err) = (
+        String::from_utf8_lossy(&output.stdout),
+        String::from_utf8_lossy(&output.stderr),
+    );
+    assert!(output.status.success(), "{script}{out}{err}");
+    assert!(out.contains("within"), "{out}");
+}
+
+/// What the README quotes of a generated file stands there.
+#[test]
+fn the_quoted_head_is_that_of_the_file() {
+    let page = Page::of("README.md");
+    let head = page.blocks_in("rust").next().expect("the head of a file");
+    let file = read("codegen/evaluators/src/closed_form.rs");
+    assert!(file.contains(head.text.trim()), "{}", head.text);
 }
 
 #[test]
