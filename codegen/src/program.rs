@@ -164,6 +164,32 @@ impl Program {
         arranged
     }
 
+    /// The program without the inputs that nothing rests on.
+    #[must_use]
+    pub fn without_idle_inputs(&self) -> Program {
+        let mut is_used = vec![false; self.operations.len()];
+        let operands = self.operations.iter().flat_map(Operation::operands);
+        for node in operands.chain(self.outputs.iter().map(|(_, node)| *node)) {
+            is_used[node.index()] = true;
+        }
+        let mut busy = Program::default();
+        let mut images: Vec<Node> = Vec::with_capacity(self.operations.len());
+        for (node, operation) in self.nodes() {
+            images.push(match operation {
+                Operation::Input(place) if is_used[node.index()] => {
+                    busy.add_input(self.inputs[*place as usize].clone())
+                }
+                // Nobody asks for its image.
+                Operation::Input(_) => node,
+                _ => busy.push(operation.map(|operand| images[operand.index()])),
+            });
+        }
+        for (name, node) in &self.outputs {
+            busy.output(name.clone(), images[node.index()]);
+        }
+        busy
+    }
+
     /// Appends a constant.
     pub fn constant(&mut self, value: Rational) -> Node {
         self.push(Operation::Constant(value))

@@ -10,6 +10,7 @@ mod optimiser;
 mod origins;
 mod pairs;
 mod printers;
+mod programs;
 mod python;
 mod rounding;
 mod rust;

@@ -61,12 +61,15 @@ pub fn translate(evaluator: &Evaluator, elaborator: &mut Elaborator) -> Result<T
         .values()
         .map(|(_, input)| input.name.as_str())
         .collect();
+    let program = sextic_codegen::optimiser::optimise(&program.with_inputs_first(&names));
+    let program = program.without_idle_inputs();
     let inputs = found
         .iter()
-        .map(|(symbol, (_, input))| (*symbol, input.clone()));
+        .map(|(symbol, (_, input))| (*symbol, input.clone()))
+        .filter(|(_, input)| program.input(&input.name).is_some());
     Ok(Translated {
-        program: sextic_codegen::optimiser::optimise(&program.with_inputs_first(&names)),
         inputs: inputs.collect(),
+        program,
     })
 }
 
