@@ -2,6 +2,7 @@
 
 mod corruption;
 mod edits;
+mod fixing;
 mod freshness;
 mod proof;
 mod translation;
