@@ -17,7 +17,7 @@ use crate::report::{json, text};
 
 use super::Outcome;
 use super::generate::{fixed, refused, unknown};
-use super::output::{Results, complain, finish, wrong};
+use super::output::{Results, complain, finish, width, wrong};
 use super::source::audit_all;
 
 /// Computes what a document derives, at one point
@@ -101,7 +101,7 @@ fn list(audits: &mut [Audit], format: Results) -> Outcome {
         }
     }
     let written = match format {
-        Results::Text => text::evaluators(&all),
+        Results::Text => text::evaluators(&all, width(None)),
         Results::Json => json::evaluators(&all),
     };
     finish(&written, Outcome::AsExpected)

@@ -6,6 +6,10 @@ use unicode_width::UnicodeWidthStr;
 use crate::compile::specification::Specification;
 use crate::report::evaluation::Evaluation;
 
+use super::page::Page;
+use super::palette::{FAINT, PLAIN, STRONG};
+use super::run::{Run, column};
+
 /// A line an output.
 pub fn evaluation(evaluation: &Evaluation) -> String {
     let outputs = &evaluation.outputs;
@@ -22,36 +26,41 @@ pub fn evaluation(evaluation: &Evaluation) -> String {
 }
 
 /// What can be evaluated: a paragraph an evaluator.
-pub fn evaluators(specifications: &[Specification]) -> String {
-    let paragraphs = specifications.iter().map(|specification| {
+pub fn evaluators(specifications: &[Specification], width: usize) -> String {
+    let mut page = Page::new(width);
+    for (place, specification) in specifications.iter().enumerate() {
         let evaluator = &specification.evaluator;
+        if place > 0 {
+            page.gap();
+        }
         let equations: Vec<String> = evaluator
             .equations
             .iter()
             .map(|number| format!(" ({number})"))
             .collect();
-        let mut lines = vec![format!(
-            "{}{}: {}",
-            evaluator.name,
-            equations.concat(),
-            evaluator.title
-        )];
-        lines.push(format!("  needs {}", names(specification.quantities())));
-        lines.push(format!("  gives {}", names(evaluator.outputs.iter())));
-        if !evaluator.assumptions.is_empty() {
-            lines.push(format!("  assumes {}", evaluator.assumptions.join(", ")));
-        }
-        if !evaluator.conditions.is_empty() {
-            lines.push(format!("  valid where {}", evaluator.conditions.join(", ")));
-        }
-        lines.join("\n") + "\n"
-    });
-    paragraphs.collect::<Vec<_>>().join("\n")
+        let title = format!("{}: {}", equations.concat(), evaluator.title);
+        page.prose(&[], &[Run::words(&evaluator.name, STRONG), Run::words(title, PLAIN)]);
+        let mut line = |word: &str, list: Vec<String>| {
+            if !list.is_empty() {
+                let list = Run::words(list.join(", "), PLAIN);
+                page.prose(&column(&format!("  {word}"), COLUMN, FAINT), &[list]);
+            }
+        };
+        line("needs", specification.quantities().map(named).collect());
+        line("gives", evaluator.outputs.iter().map(named).collect());
+        line("assumes", evaluator.assumptions.clone());
+        line("where", evaluator.conditions.clone());
+    }
+    page.finish()
 }
 
-fn names<'a>(quantities: impl Iterator<Item = &'a Quantity>) -> String {
-    let named = quantities.map(|quantity| format!("{}{}", quantity.name, unit(quantity)));
-    named.collect::<Vec<_>>().join(", ")
+/// As wide as the widest of the words in front of a list.
+const COLUMN: usize = 10;
+
+/// `m in kg/m`; nothing breaks between the name and the unit.
+fn named(quantity: &Quantity) -> String {
+    let unit = unit(quantity).replace(' ', "\u{a0}");
+    format!("{}{unit}", quantity.name)
 }
 
 /// ` kg/m`, and nothing for a pure number.
