@@ -56,7 +56,7 @@ fn the_nearest_double_is_short() {
         ("89/5000", Some("0.0178")),
         ("-1/3", Some("-0.3333333333333333")),
         ("0", Some("0.0")),
-        ("1/10000000", Some("1e-7")),
+        ("1/10000000", Some("1.0e-7")),
         ("3", Some("3.0")),
     ] {
         let found = Decimal::nearest(&value.parse().unwrap());

@@ -16,7 +16,7 @@ use crate::report::evaluation::Evaluation;
 use crate::report::{json, text};
 
 use super::Outcome;
-use super::generate::{fixed, refused, unknown};
+use super::generate::{differs, fixed, refused, unknown};
 use super::output::{Results, complain, finish, width, wrong};
 use super::source::audit_all;
 
@@ -75,6 +75,9 @@ pub fn run(arguments: &Arguments) -> Outcome {
             .collect();
         return unknown(&format!("there is no evaluator `{name}`"), name, &known);
     };
+    if !audit.as_expected() {
+        return differs(audit);
+    }
     match evaluate(name, &arguments.set, audit) {
         Err(outcome) => outcome,
         Ok(evaluation) => {

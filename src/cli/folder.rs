@@ -3,9 +3,19 @@
 use std::fs;
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use sextic_codegen::language::{File, MARK};
 use tempfile::NamedTempFile;
+
+/// What a line of a comment begins with.
+const COMMENT: [char; 6] = ['/', '*', '!', '#', '"', ' '];
+
+/// What the names of files begin with that have not got their own yet.
+const STAGED: &str = ".sextic-";
+
+/// Who is not done by then was interrupted.
+const LONGEST_RUN: Duration = Duration::from_secs(3600);
 
 /// The mark of a generated file stands within so many bytes.
 const HEAD: u64 = 4096;
@@ -70,6 +80,7 @@ pub fn write(folder: &Path, files: &[File], force: bool) -> Result<Written, Trou
         return Err(Trouble::Foreign(foreign));
     }
     fs::create_dir_all(folder).map_err(at(folder))?;
+    forget_interrupted(folder);
     let mut staged = Vec::new();
     for (path, text) in changed {
         staged.push((stage(folder, text).map_err(at(folder))?, path));
@@ -94,7 +105,9 @@ pub fn state(path: &Path, text: &str) -> io::Result<State> {
         Ok(found) => Ok(State::Different(
             String::from_utf8_lossy(&found).into_owned(),
         )),
-        Err(error) if error.kind() == ErrorKind::NotFound => Ok(State::Missing),
+        Err(error) if error.kind() == ErrorKind::NotFound && !path.is_symlink() => {
+            Ok(State::Missing)
+        }
         Err(error) => Err(error),
     }
 }
@@ -115,6 +128,9 @@ pub fn stale(folder: &Path, files: &[File]) -> io::Result<Vec<String>> {
         let Ok(name) = entry.file_name().into_string() else {
             continue;
         };
+        if name.starts_with(STAGED) {
+            continue;
+        }
         let is_wanted = files.iter().any(|file| file.path == name);
         if !is_wanted && entry.file_type()?.is_file() && is_generated(&entry.path())? {
             stale.push(name);
@@ -124,10 +140,23 @@ pub fn stale(folder: &Path, files: &[File]) -> io::Result<Vec<String>> {
     Ok(stale)
 }
 
+/// Removes what an interrupted run left; if that cannot be, it stays.
+fn forget_interrupted(folder: &Path) {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    for entry in entries {
+        let is_staged = entry.file_name().to_string_lossy().starts_with(STAGED);
+        let age = entry.metadata().and_then(|known| known.modified());
+        let age = age.ok().and_then(|time| time.elapsed().ok());
+        if is_staged && age.is_some_and(|age| age > LONGEST_RUN) {
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+}
+
 /// A text on the disk that has no name yet.
 fn stage(folder: &Path, text: &str) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".sextic-");
+    builder.prefix(STAGED);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
@@ -143,5 +172,8 @@ fn stage(folder: &Path, text: &str) -> io::Result<NamedTempFile> {
 fn is_generated(path: &Path) -> io::Result<bool> {
     let mut head = Vec::new();
     fs::File::open(path)?.take(HEAD).read_to_end(&mut head)?;
-    Ok(String::from_utf8_lossy(&head).contains(MARK))
+    // A comment that begins with it, not one that quotes it.
+    let text = String::from_utf8_lossy(&head);
+    let mut lines = text.lines().map(|line| line.trim_start_matches(COMMENT));
+    Ok(lines.any(|line| line.starts_with(MARK)))
 }

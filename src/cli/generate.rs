@@ -90,6 +90,16 @@ pub(super) fn fixed(text: &str) -> Result<Fixed, String> {
     })
 }
 
+/// Nothing is computed from a document that is not as it says.
+pub(super) fn differs(audit: &Audit) -> Outcome {
+    complain(&format!(
+        "Error: not every verdict on {} is as it expects: nothing is compiled from it\n\
+         Help: `sextic audit` shows which\n",
+        audit.path
+    ));
+    Outcome::Differs
+}
+
 /// Generates, and writes or checks.
 pub fn run(arguments: &Arguments) -> Outcome {
     let (audits, outcome) = audit_all(arguments.document.as_slice());
@@ -97,12 +107,15 @@ pub fn run(arguments: &Arguments) -> Outcome {
         return outcome;
     };
     if !audit.as_expected() {
-        complain(&format!(
-            "Error: not every verdict on {} is as it expects: nothing is generated from it\n\
-             Help: `sextic audit` shows which\n",
-            audit.path
-        ));
-        return Outcome::Differs;
+        return differs(&audit);
+    }
+    for (place, fixed) in arguments.fix.iter().enumerate() {
+        if arguments.fix[..place]
+            .iter()
+            .any(|known| known.name == fixed.name)
+        {
+            return wrong(&format!("`{}` is fixed twice", fixed.name), "fix it once");
+        }
     }
     let order = Order {
         document: arguments.document.clone(),
@@ -242,7 +255,7 @@ pub(super) fn refuse(failure: &Failure, audit: &Audit, arguments: &Arguments) ->
     match failure {
         Failure::NoEvaluator => wrong(
             &format!("{} wants nothing compiled", audit.path),
-            "say what with `evaluator name: output = expression`",
+            "say what with `evaluator (1) name: output = expression`",
         ),
         Failure::UnknownEvaluator(name, known) => {
             unknown(&format!("there is no evaluator `{name}`"), name, known)
@@ -255,7 +268,7 @@ pub(super) fn refuse(failure: &Failure, audit: &Audit, arguments: &Arguments) ->
         Failure::Refused(evaluator, refusal) => refused(evaluator, refusal, audit),
         Failure::Language(error) => wrong(
             &format!("this cannot be written in {}: {error}", arguments.language),
-            "rename it in the document, or fix less",
+            "rename it in the document, fix less, or give numbers that a double can hold",
         ),
         Failure::Doubted(evaluator, doubt) => {
             complain(&format!(
@@ -281,7 +294,7 @@ pub(super) fn refused(evaluator: &str, refusal: &Refusal, audit: &Audit) -> Outc
         ),
         Refusal::Number(names, reason) => wrong(
             &format!("`{evaluator}` does not allow this value of {names}: {reason}"),
-            "give another value, or leave it to the caller",
+            "give another value; where only one evaluator forbids it, `--only` generates the others",
         ),
     }
 }

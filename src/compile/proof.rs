@@ -42,7 +42,7 @@ impl fmt::Display for Proof {
         write!(
             f,
             "Read back from this {language}, {} of {} equal the derived expressions in exact algebra{}, by \
-             the operations whose rounding is measured.",
+             exactly the operations that are counted.",
             count(self.outputs, "output", "outputs"),
             count(self.bodies, "body", "bodies"),
             match self.constants {

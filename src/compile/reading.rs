@@ -135,15 +135,40 @@ pub fn read(
     evaluator: &Evaluator,
     language: Language,
 ) -> Result<Readings, (String, Unreadable)> {
+    let main = match language {
+        Language::Rust => "rs",
+        Language::C => "c",
+        Language::Python => "py",
+    };
+    // A file of the name itself may be one that all evaluators share, such as `lib.rs`.
+    let is_there = |function: &String| {
+        let path = format!("{function}.{main}");
+        files.iter().any(|file| file.path == path)
+    };
+    let mut found = spellings(&evaluator.name, |_| false).filter(is_there);
+    let first = found.next().unwrap_or_else(|| evaluator.name.clone());
+    let read = |function: &str| read_as(files, evaluator, language, function);
+    match read(&first) {
+        Ok(readings) => Ok(readings),
+        Err(refused) => found
+            .find_map(|function| read(&function).ok())
+            .ok_or(refused),
+    }
+}
+
+/// The same where the function has this name.
+fn read_as(
+    files: &[File],
+    evaluator: &Evaluator,
+    language: Language,
+    function: &str,
+) -> Result<Readings, (String, Unreadable)> {
     let (main, ending) = match language {
         Language::Rust => ("rs", "rs"),
         Language::C => ("c", "h"),
         Language::Python => ("py", "py"),
     };
     let file = |path: &str| files.iter().find(|file| file.path == path);
-    let function = spellings(&evaluator.name, |_| false)
-        .find(|function| file(&format!("{function}.{main}")).is_some())
-        .unwrap_or_else(|| evaluator.name.clone());
     let text = |ending: &str| {
         let path = format!("{function}.{ending}");
         match file(&path) {
@@ -154,7 +179,7 @@ pub fn read(
             }
         }
     };
-    let mut names = Names::new(evaluator, &function);
+    let mut names = Names::new(evaluator, function);
     let (path, source) = text(main)?;
     let unreadable = |unreadable| (path.clone(), unreadable);
     let place = |suffix: &str| format!("{path}, `{function}{suffix}`");

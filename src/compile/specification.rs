@@ -3,6 +3,8 @@
 mod fixing;
 mod validity;
 
+use validity::Requirement;
+
 use sextic_codegen::evaluator::{Angle, Evaluator as Emitted, Input as EmittedInput, Quantity};
 
 use crate::algebra::fraction::Fraction;
@@ -11,7 +13,7 @@ use crate::derivation::audit::Audit;
 use crate::derivation::condition::Conditions;
 use crate::derivation::diagnostic::Diagnostic;
 use crate::derivation::evaluator::{Evaluator, Output};
-use crate::derivation::syntax::{Expression, Node, Place};
+use crate::derivation::syntax::{Expression, Label, Node, Place};
 
 use super::constant::Constant;
 use super::fingerprint::fingerprint;
@@ -36,6 +38,8 @@ pub struct Specification {
     symbols: Vec<Symbol>,
     /// What its steps divided by and took roots of.
     conditions: Conditions,
+    /// What the document says must hold beyond that.
+    requirements: Vec<Requirement>,
 }
 
 /// Why an evaluator cannot be compiled.
@@ -70,6 +74,7 @@ impl Specification {
             fixed: Vec::new(),
             symbols: Vec::new(),
             conditions: Conditions::default(),
+            requirements: Vec::new(),
         }
     }
 
@@ -130,6 +135,12 @@ impl Specification {
         let needed = std::mem::take(&mut elaborator.conditions);
         let conditions = elaborator.present_conditions(&needed, &evaluator.span);
         let conditions = conditions.map_err(Refusal::document)?;
+        let requirements = validity::requirements(&evaluator.conditions, elaborator)?;
+        let conditions = conditions.iter().map(validity::condition);
+        let stated = requirements
+            .iter()
+            .map(|requirement| requirement.text.clone());
+        let conditions: Vec<String> = conditions.chain(stated).collect();
         elaborator.fresh();
         let Translated { program, inputs } =
             translate(evaluator, elaborator).map_err(Refusal::Program)?;
@@ -143,13 +154,13 @@ impl Specification {
             name: evaluator.name.ascii.clone(),
             title: title.unwrap_or_else(|| evaluator.name.unicode.clone()),
             description: String::new(),
-            equations: evaluator.label.equation.iter().cloned().collect(),
+            equations: equations(&evaluator.label),
             source: audit.title.clone().unwrap_or_default(),
             inputs: inputs.iter().map(|(_, input)| input_of(input)).collect(),
             angles: angles(inputs.iter().map(|(_, input)| input)),
             outputs: shown,
             assumptions: validity::assumptions(&inputs, audit),
-            conditions: conditions.iter().map(validity::condition).collect(),
+            conditions,
             program,
             command: String::new(),
             document: audit.path.clone(),
@@ -160,6 +171,7 @@ impl Specification {
         Ok(Specification {
             symbols: inputs.iter().map(|(symbol, _)| *symbol).collect(),
             conditions: needed,
+            requirements,
             ..Specification::new(emitted, elements, outputs)
         })
     }
@@ -183,6 +195,24 @@ impl Specification {
             .map(|input| &input.quantity)
             .chain(angles.map(|angle| &angle.quantity))
     }
+}
+
+/// The numbers of a label: 21, 22 and 23 of `(21, 22, 23)`, 19 of `(19, tuned)`.
+fn equations(label: &Label) -> Vec<String> {
+    let is_number = |part: &&str| {
+        let mut letters = part.chars().filter(|letter| letter.is_alphanumeric());
+        part.chars().any(|letter| letter.is_ascii_digit())
+            && letters.all(|letter| letter.is_ascii_digit() || letter.is_ascii_uppercase())
+    };
+    let more = label
+        .text
+        .split(',')
+        .skip(1)
+        .map(str::trim)
+        .filter(is_number);
+    let first = label.equation.iter().map(String::as_str);
+    let more = more.filter(|_| label.equation.is_some());
+    first.chain(more).map(str::to_string).collect()
 }
 
 /// The evaluator whose outputs are taken at a place.

@@ -2,7 +2,7 @@
 
 use super::diagnostic::{Diagnostic, DiagnosticKind, nearest};
 use super::syntax::{
-    EvaluatorBody, Expression, Label, Name, Node, Span, Spanned, Statement, StatementKind,
+    EvaluatorBody, Expression, Label, Name, Node, Relation, Span, Spanned, Statement, StatementKind,
 };
 
 /// Something to compile: named outputs, each an expression of the document.
@@ -16,6 +16,8 @@ pub struct Evaluator {
     pub description: Option<String>,
     /// What it computes.
     pub outputs: Vec<Output>,
+    /// Where that means something, beyond what its outputs themselves need.
+    pub conditions: Vec<Relation>,
     /// Where the document asks for it.
     pub span: Span,
 }
@@ -43,6 +45,7 @@ impl Evaluator {
             label,
             name,
             body,
+            conditions,
             description,
         } = &statement.kind
         else {
@@ -77,9 +80,38 @@ impl Evaluator {
             name: name.value.clone(),
             description: description.clone(),
             outputs,
+            conditions: inherited(body, known)
+                .chain(conditions.iter().cloned())
+                .collect(),
             span: name.span.clone(),
         }))
     }
+}
+
+/// The conditions of the general evaluator after the replacements.
+fn inherited<'a>(
+    body: &'a EvaluatorBody,
+    known: &'a [Evaluator],
+) -> impl Iterator<Item = Relation> + 'a {
+    let special = match body {
+        EvaluatorBody::Special { general, place } => Some((&general.value, place)),
+        EvaluatorBody::Outputs(_) => None,
+    };
+    let general = special.and_then(|(general, place)| {
+        let found = known.iter().find(|known| known.name == *general)?;
+        Some((found, place))
+    });
+    general.into_iter().flat_map(|(general, place)| {
+        let at = |side: &Expression| Expression {
+            node: Node::At(Box::new(side.clone()), place.clone()),
+            span: side.span.clone(),
+        };
+        general.conditions.iter().map(move |condition| Relation {
+            left: at(&condition.left),
+            comparison: condition.comparison,
+            right: at(&condition.right),
+        })
+    })
 }
 
 /// The outputs as the document writes them; those of a special evaluator are those of the general one

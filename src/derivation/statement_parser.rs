@@ -265,12 +265,20 @@ impl Cursor<'_> {
             Some(TokenKind::Equals) => self.outputs()?,
             _ => self.special_evaluator()?,
         };
+        let mut conditions = Vec::new();
+        if self.accept_word("where") {
+            conditions.push(self.relation("`<`, `<=`, `>` or `>=`")?);
+            while self.accept(TokenKind::Comma).is_some() {
+                conditions.push(self.relation("`<`, `<=`, `>` or `>=`")?);
+            }
+        }
         let description = self.description()?;
         self.expect_end("")?;
         Ok(StatementKind::Evaluator {
             label,
             name,
             body,
+            conditions,
             description,
         })
     }

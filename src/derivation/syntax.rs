@@ -1,5 +1,6 @@
 //! What a document says, before anything is known of what it means.
 
+use std::cmp::Ordering;
 use std::fmt;
 use std::ops::Range;
 
@@ -147,6 +148,19 @@ pub enum Comparison {
     Greater,
     /// `>=`
     GreaterOrEqual,
+}
+
+impl Comparison {
+    /// Whether it holds of two numbers in this order.
+    pub fn holds(self, order: Ordering) -> bool {
+        match self {
+            Comparison::Equal => order == Ordering::Equal,
+            Comparison::Less => order == Ordering::Less,
+            Comparison::LessOrEqual => order != Ordering::Greater,
+            Comparison::Greater => order == Ordering::Greater,
+            Comparison::GreaterOrEqual => order != Ordering::Less,
+        }
+    }
 }
 
 /// `left == right`.
@@ -328,6 +342,8 @@ pub enum StatementKind {
         name: Spanned<Name>,
         /// What it computes.
         body: EvaluatorBody,
+        /// Where that means something: `where L_g > 0`.
+        conditions: Vec<Relation>,
         /// In words.
         description: Option<String>,
     },

@@ -16,7 +16,7 @@ function C at β : 1
 assume h < w
 ratio := (w + h)/(w - h)
 evaluator (1) ratios: ratio = ratio, inverse = 1/ratio \"how flat the plate is\"
-evaluator (2) turned: x = w*(cos(β) + C), y = h*sin(β) \"a corner\"
+evaluator (2) turned: x = w*(cos(β) + C), y = h*sin(β) where w < 10 \"a corner\"
 domain w = [2, 3], h = [0.1, 1], C = [-1, 1]
 ```
 ";
@@ -153,12 +153,16 @@ fn wrong_orders_are_refused_with_what_to_do() {
             "contradicts the assumption w > 0",
         ),
         (
+            &["--language", "rust", "--fix", "w=10"],
+            "only where w < 10",
+        ),
+        (
             &["--language", "rust", "--fix", "w=1", "--fix", "h=1"],
             "w > h",
         ),
         (
             &["--language", "rust", "--fix", "w=1", "--fix", "w=2"],
-            "twice",
+            "fixed twice",
         ),
         (&["--language", "rust", "--fix", "beta=30"], "radians"),
         (

@@ -97,8 +97,13 @@ fn summary(statement: &Statement) -> String {
             label: called,
             name,
             body,
+            conditions,
             description,
         } => {
+            let conditions: Vec<String> = conditions
+                .iter()
+                .map(|condition| format!(" where {}", Notation::Ascii.relation(condition)))
+                .collect();
             let body = match body {
                 EvaluatorBody::Outputs(outputs) => {
                     let written = outputs.iter().map(|(name, value)| {
@@ -112,7 +117,8 @@ fn summary(statement: &Statement) -> String {
                 }
             };
             let (label, name) = (label(called), &name.value.ascii);
-            format!("evaluator {label} | {name} | {body} | {description:?}")
+            let conditions = conditions.concat();
+            format!("evaluator {label} | {name} | {body}{conditions} | {description:?}")
         }
         StatementKind::Imaginary { name } => format!("imaginary {}", name.value.ascii),
         StatementKind::Assume {

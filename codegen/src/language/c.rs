@@ -27,11 +27,12 @@ const COMMENTS: Comments = Comments {
     constants: "which the compiler does once",
 };
 
-/// Neither begins nor ends a comment, and is no trigraph.
+/// Neither begins nor ends a comment, is no trigraph and continues no line.
 fn harmless(text: &str) -> String {
     text.replace("*/", "* /")
         .replace("/*", "/ *")
         .replace("??", "? ?")
+        .replace('\\', "\u{2216}")
 }
 
 /// The usual signs.

@@ -9,6 +9,9 @@ pub enum Error {
     Name(String),
     /// A name occurs twice among the inputs, the outputs or the evaluators.
     Twice(String),
+    /// The names of two evaluators differ in nothing but underscores and the case of letters, which their
+    /// files or types would not.
+    Alike(String, String),
     /// A constant is beyond the doubles.
     Constant(String),
     /// The quantities of an evaluator are not those of its program.
@@ -30,6 +33,10 @@ impl fmt::Display for Error {
                  letters, digits and _"
             ),
             Error::Twice(name) => write!(f, "the name {name:?} occurs twice"),
+            Error::Alike(one, other) => write!(
+                f,
+                "the evaluators {one} and {other} differ in underscores and capital letters only"
+            ),
             Error::Constant(value) => {
                 let digits = value.len();
                 match digits > 40 {

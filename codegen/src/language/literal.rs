@@ -45,7 +45,7 @@ impl Decimal {
         let double = value.to_f64().value();
         let known = double.is_finite() && (double != 0.0 || value.is_zero());
         known.then(|| Decimal {
-            text: format!("{double:?}"),
+            text: pointed(double),
             value: double,
         })
     }
@@ -57,6 +57,15 @@ impl Decimal {
             text: expansion(value),
             value: double,
         })
+    }
+}
+
+/// The shortest digits of a double, with a point: `1.0e-5`.
+fn pointed(double: f64) -> String {
+    let text = format!("{double:?}");
+    match text.split_once('e') {
+        Some((digits, exponent)) if !digits.contains('.') => format!("{digits}.0e{exponent}"),
+        _ => text,
     }
 }
 

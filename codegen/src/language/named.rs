@@ -37,6 +37,15 @@ impl Named {
         reserved: &[&str],
         modules: &[&str],
     ) -> Result<Vec<Self>, Error> {
+        let plain = |evaluator: &Evaluator| evaluator.name.replace('_', "").to_ascii_lowercase();
+        for (place, evaluator) in evaluators.iter().enumerate() {
+            let mut others = evaluators[..place].iter();
+            let alike = others
+                .find(|other| other.name != evaluator.name && plain(other) == plain(evaluator));
+            if let Some(other) = alike {
+                return Err(Error::Alike(other.name.clone(), evaluator.name.clone()));
+            }
+        }
         let forbidden: Vec<&str> = reserved.iter().chain(modules).copied().collect();
         let functions = evaluators.iter().map(|evaluator| evaluator.name.as_str());
         let functions = names::safe(functions, &forbidden)?.names;

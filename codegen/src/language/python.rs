@@ -16,7 +16,8 @@ const MODULE: &str = include_str!("../../templates/python/module.py.tera");
 const PACKAGE: &str = include_str!("../../templates/python/__init__.py.tera");
 
 /// Keywords, and names that an emitted function uses.
-const RESERVED: [&str; 47] = [
+const RESERVED: [&str; 48] = [
+    "cls",
     "False",
     "None",
     "True",

@@ -2,14 +2,19 @@
 
 use std::collections::BTreeSet;
 
+use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::error::AlgebraError;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::number::Rational;
 use crate::algebra::sign::Signs;
 use crate::algebra::symbol::Symbol;
 use crate::compile::input::Input;
 use crate::derivation::audit::Audit;
-use crate::derivation::condition::Requirement;
+use crate::derivation::condition::Requirement as Demand;
+use crate::derivation::elaboration::Elaborator;
 use crate::derivation::notation::Notation;
-use crate::derivation::syntax::{Relation, Replacement};
+use crate::derivation::presentation::Presenter;
+use crate::derivation::syntax::{Comparison, Relation, Replacement};
 use crate::derivation::verdict::Condition;
 
 use super::{Refusal, Specification};
@@ -31,12 +36,61 @@ impl Specification {
         let images = elaborator.admit(numbers, &(0..0));
         let images = images.map_err(|error| refuse(error.message))?;
         let after = self.conditions.substitute(&images, &mut elaborator.ring);
+        for requirement in &self.requirements {
+            let difference = elaborator.ring.substitute(&requirement.difference, &images);
+            let difference = difference.map_err(|error| refuse(error.to_string()))?;
+            let is_met = difference
+                .as_constant()
+                .is_none_or(|value| requirement.comparison.holds(value.cmp(&Rational::ZERO)));
+            if !is_met {
+                return Err(refuse(format!(
+                    "it means something only where {}",
+                    requirement.text
+                )));
+            }
+        }
         match after {
             Ok(_) => Ok(()),
             Err(AlgebraError::DivisionByZero) => Err(refuse("a divisor becomes 0".to_string())),
             Err(error) => Err(refuse(error.to_string())),
         }
     }
+}
+
+/// What a document says must hold: that a − b compares so with 0.
+#[derive(Clone, Debug)]
+pub(super) struct Requirement {
+    difference: Fraction,
+    comparison: Comparison,
+    /// As a person reads it.
+    pub(super) text: String,
+}
+
+/// What an evaluator needs beyond what its outputs themselves do.
+pub(super) fn requirements(
+    relations: &[Relation],
+    elaborator: &mut Elaborator,
+) -> Result<Vec<Requirement>, Refusal> {
+    let mut requirements = Vec::new();
+    for relation in relations {
+        let (left, right) = (&relation.left, &relation.right);
+        let (left, right) = (elaborator.scalar(left), elaborator.scalar(right));
+        let left = left.map_err(Refusal::document)?.value;
+        let right = right.map_err(Refusal::document)?.value;
+        let refuse = |error: AlgebraError| Refusal::Program(error.to_string());
+        let Elaborator { ring, scope, .. } = &*elaborator;
+        let presenter = Presenter { ring, scope };
+        requirements.push(Requirement {
+            difference: ring.difference(&left, &right).map_err(refuse)?,
+            comparison: relation.comparison,
+            text: Notation::Unicode.relation(&Relation {
+                left: presenter.element(&left).map_err(refuse)?,
+                comparison: relation.comparison,
+                right: presenter.element(&right).map_err(refuse)?,
+            }),
+        });
+    }
+    Ok(requirements)
 }
 
 /// What the document assumes of the inputs: `m > 0`, `L_g < r`.
@@ -67,7 +121,7 @@ pub(super) fn assumptions(inputs: &[(Symbol, Input)], audit: &Audit) -> Vec<Stri
 pub(super) fn condition(condition: &Condition) -> String {
     let expression = Notation::Unicode.expression(&condition.expression);
     match condition.requirement {
-        Requirement::NonZero => format!("{expression} ≠ 0"),
-        Requirement::Positive => format!("{expression} > 0"),
+        Demand::NonZero => format!("{expression} ≠ 0"),
+        Demand::Positive => format!("{expression} > 0"),
     }
 }

@@ -1,7 +1,5 @@
 //! Both sides of an assertion at a point.
 
-use std::cmp::Ordering;
-
 use crate::derivation::assertion::Assertion;
 use crate::derivation::evaluation::evaluator::{Evaluator, Failure};
 use crate::derivation::evaluation::number::Number;
@@ -55,13 +53,7 @@ pub fn compare(
         return None;
     };
     let order = extension.order(&a.difference(b))?;
-    Some(match comparison {
-        Comparison::Equal => order == Ordering::Equal,
-        Comparison::Less => order == Ordering::Less,
-        Comparison::LessOrEqual => order != Ordering::Greater,
-        Comparison::Greater => order == Ordering::Greater,
-        Comparison::GreaterOrEqual => order != Ordering::Less,
-    })
+    Some(comparison.holds(order))
 }
 
 /// The row and column, counted from 0, of the first entry in which two tables differ.

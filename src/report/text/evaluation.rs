@@ -39,7 +39,13 @@ pub fn evaluators(specifications: &[Specification], width: usize) -> String {
             .map(|number| format!(" ({number})"))
             .collect();
         let title = format!("{}: {}", equations.concat(), evaluator.title);
-        page.prose(&[], &[Run::words(&evaluator.name, STRONG), Run::words(title, PLAIN)]);
+        page.prose(
+            &[],
+            &[
+                Run::words(&evaluator.name, STRONG),
+                Run::words(title, PLAIN),
+            ],
+        );
         let mut line = |word: &str, list: Vec<String>| {
             if !list.is_empty() {
                 let list = Run::words(list.join(", "), PLAIN);

@@ -41,10 +41,12 @@ fn rounding(measured: Option<&Rounding>) -> String {
         return "rounding not measured".to_string();
     };
     let worst = |errors: &[f64]| errors.iter().copied().fold(0.0, f64::max);
-    format!(
-        "rounding at most {:.3} ulp at 99 of 100 points",
-        worst(&rounding.percentile_99)
-    )
+    let worst = worst(&rounding.percentile_99);
+    let shown = match worst < 10_000.0 {
+        true => format!("{worst:.1}"),
+        false => format!("{worst:.1e}"),
+    };
+    format!("at 99 of 100 points within {shown} units in the last place")
 }
 
 fn padded(text: &str, width: usize) -> String {
