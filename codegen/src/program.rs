@@ -1,9 +1,16 @@
 //! Straight-line programs: named inputs, operations, named outputs.
 
+use dashu_base::{PowerOfTwo, UnsignedAbs};
 use dashu_ratio::RBig;
 
 /// An exact constant.
 pub type Rational = RBig;
+
+/// Whether a number is a power of two, up to its sign.
+pub fn is_power_of_two(value: &Rational) -> bool {
+    let (above, below) = value.clone().into_parts();
+    above.unsigned_abs().is_power_of_two() && below.is_power_of_two()
+}
 
 /// A value of a program, by the place of the operation that computes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -58,8 +58,13 @@ fn point() -> impl Strategy<Value = Vec<Rational>> {
     prop::collection::vec(number, 3)
 }
 
-/// Where a program has a value, the other one has the same.
+/// Where a program has a value, the other one has the same: where all outputs have one.
 fn agrees(before: &[Option<Rational>], after: &[Option<Rational>]) -> bool {
+    before.iter().any(Option::is_none) || before == after
+}
+
+/// A pass that joins no divisions keeps the value of each output, whether others have one or not.
+fn agrees_each(before: &[Option<Rational>], after: &[Option<Rational>]) -> bool {
     before.len() == after.len()
         && before
             .iter()
@@ -71,10 +76,14 @@ proptest! {
     #[test]
     fn no_pass_changes_a_value(program in drawn(), point in point()) {
         let before = evaluate_exactly(&program, &point);
-        let passes: [fn(&Program) -> Program; 5] = [fold, share, reciprocals, prune, optimise];
-        for (place, pass) in passes.into_iter().enumerate() {
+        let alone: [fn(&Program) -> Program; 3] = [fold, share, prune];
+        for (place, pass) in alone.into_iter().enumerate() {
             let after = evaluate_exactly(&pass(&program), &point);
-            prop_assert!(agrees(&before, &after), "pass {place}: {before:?} {after:?}");
+            prop_assert!(agrees_each(&before, &after), "pass {place}: {before:?} {after:?}");
+        }
+        for pass in [reciprocals, optimise] {
+            let after = evaluate_exactly(&pass(&program), &point);
+            prop_assert!(agrees(&before, &after), "{before:?} {after:?}");
         }
     }
 

@@ -3,6 +3,7 @@
 
 mod c;
 mod consumer;
+mod divisions;
 mod documentation;
 mod laws;
 mod literals;

@@ -8,7 +8,6 @@ use sextic_codegen::optimiser::fold::fold;
 use sextic_codegen::optimiser::hoist::hoist;
 use sextic_codegen::optimiser::optimise;
 use sextic_codegen::optimiser::prune::prune;
-use sextic_codegen::optimiser::reciprocal::reciprocals;
 use sextic_codegen::optimiser::share::share;
 use sextic_codegen::program::{Node, Operation, Program};
 use sextic_codegen::rounding::evaluate_exactly;
@@ -17,7 +16,7 @@ use Operation::{Add, Divide, Multiply, Negative, SquareRoot, Subtract};
 
 use crate::samples::rational;
 
-fn program(build: impl Fn(&mut Program, Node, Node) -> Node) -> Program {
+pub fn program(build: impl Fn(&mut Program, Node, Node) -> Node) -> Program {
     let mut program = Program::new(["x".to_owned(), "y".to_owned()]);
     let (x, y) = (program.input("x").unwrap(), program.input("y").unwrap());
     let value = build(&mut program, x, y);
@@ -26,7 +25,7 @@ fn program(build: impl Fn(&mut Program, Node, Node) -> Node) -> Program {
 }
 
 /// The operations that no input and no constant is, in order.
-fn signs(program: &Program) -> String {
+pub fn signs(program: &Program) -> String {
     let sign = |operation: &Operation| match operation {
         Operation::Input(_) | Operation::Constant(_) => "",
         Add(..) => "+",
@@ -176,18 +175,6 @@ fn sharing_computes_once_whatever_the_order() {
         p.push(Multiply(a, b))
     });
     assert_eq!(signs(&share(&differs)), "--*");
-}
-
-#[test]
-fn one_reciprocal_instead_of_several_divisions() {
-    let twice = program(|p, x, y| {
-        let square = p.push(Multiply(x, x));
-        let (a, b) = (p.push(Divide(x, y)), p.push(Divide(square, y)));
-        p.push(Add(a, b))
-    });
-    assert_eq!(Cost::of(&reciprocals(&twice)).divisions, 1);
-    let once = program(|p, x, y| p.push(Divide(x, y)));
-    assert_eq!(reciprocals(&once), once);
 }
 
 #[test]

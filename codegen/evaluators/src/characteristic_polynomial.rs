@@ -4,7 +4,7 @@
 //!
 //! - Proof: Read back from this Rust, the 7 outputs of the body equal the derived expressions
 //!   in exact algebra, by exactly the operations that are counted.
-//! - Rounding: largest error 7.9e4 units in the last place; at 99 of 100 points at most 17.89.
+//! - Rounding: largest error 3.4e5 units in the last place; at 99 of 100 points at most 21.03.
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
@@ -292,79 +292,80 @@ fn characteristic_polynomial_body<T: Arithmetic>(
     let dC_L = inputs.dC_L;
     let C_M = inputs.C_M;
     let dC_M = inputs.dC_M;
-    let t1 = T::constant(1.0) / r;
-    let t2 = L_g * t1;
-    let t3 = sin_alpha_g_plus_theta_0 * t2;
-    let t4 = cos_alpha_g_plus_theta_0 * t2;
-    let t5 = U * (rho * D) / (m * 2.0);
-    let t6 = C_D * 2.0;
-    let t7 = C_L * 2.0;
-    let t8 = C_D + dC_L;
-    let t9 = C_L - dC_D;
-    let t10 = C_D * -2.0;
-    let t11 = t1 * (C_M * (D * 2.0));
-    let t12 = t1 * (D * dC_M);
-    let t13 = cos_alpha_0 * cos_alpha_0;
-    let t14 = cos_alpha_0 * sin_alpha_0;
-    let t15 = sin_alpha_0 * cos_gamma_r_plus_theta_0;
-    let t16 = cos_alpha_0.multiply_add(sin_gamma_r_plus_theta_0, t15);
-    let t17 = L_a * t16;
-    let t18 = cos_alpha_0 * t17;
-    let t19 = sin_alpha_0 * sin_alpha_0;
-    let t20 = sin_alpha_0 * t17;
-    let t21 = sin_alpha_0 * sin_gamma_r_plus_theta_0;
-    let t22 = cos_alpha_0.multiply_add(cos_gamma_r_plus_theta_0, -t21);
-    let t23 = L_a * t22;
-    let t24 = sin_alpha_0 * t23;
-    let t25 = cos_alpha_0 * t23;
-    let t26 = t7 * t14;
-    let t27 = t9 * t14;
-    let t28 = t8 * t14;
-    let t29 = t6.multiply_add(t14, -(t7 * t19)) - t28;
-    let t30 = (-t8).multiply_add(t24, t6.multiply_add(t18, -(t7 * t20)));
-    let t31 = t9.multiply_add(t19, t7.multiply_add(t13, -(t10 * t14)));
-    let t32 = t7.multiply_add(t18, -(t10 * t20));
-    let t33 = t8.multiply_add(t19, t6.multiply_add(t13, -t26)) + t27;
-    let t34 = t5 * (-t9).multiply_add(t13, t29);
-    let t35 = t5 * (t1 * (-t9).multiply_add(t25, t30));
-    let t36 = t5 * (t31 - t28);
-    let t37 = t8.multiply_add(t13, (-t10).multiply_add(t19, t26) - t27);
-    let t38 = t1 * t8.multiply_add(t25, (-t9).multiply_add(t24, t32));
-    let t39 = t5 * t38;
-    let t40 = t5 * cos_alpha_0.multiply_add(t11, -(sin_alpha_0 * t12));
-    let t41 = t5 * sin_alpha_0.multiply_add(t11, cos_alpha_0 * t12);
-    let t42 = zeta_x.multiply_add(omega_x * 2.0, t5 * t33);
-    let t43 = zeta_y.multiply_add(omega_y * 2.0, t5 * t37);
-    let t44 = t5 * (t1 * t11.multiply_add(t17, t12 * t23));
-    let t45 = zeta_theta.multiply_add(omega_theta * 2.0, t44);
-    let t46 = omega_x * omega_x;
-    let t47 = omega_y * omega_y;
-    let t48 = omega_theta * omega_theta;
-    let t49 = t47 * t48;
-    let t50 = t45.multiply_add(t47, t43 * t48);
-    let t51 = (-t39).multiply_add(t41, t48 + t43.multiply_add(t45, t47));
-    let t52 = t43 + t45 - t4.multiply_add(t39, t4 * t41);
-    let t53 = (-t4).multiply_add(t4, T::constant(1.0));
-    let t54 = t49 + t46.multiply_add(t51, t42 * t50);
-    let t55 = t50 + t46.multiply_add(t52, t42 * t51);
-    let t56 = t36.multiply_add(t45, -(t39 * t40));
-    let t57 = t51 + t46.multiply_add(t53, t42 * t52);
-    let t58 = t36 - t3.multiply_add(t39, t4 * t40);
-    let t59 = t40 * t47;
-    let t60 = t36.multiply_add(t41, -t3.multiply_add(t47, t40 * t43));
-    let t61 = t4.multiply_add(t36, -t3.multiply_add(t43, t40));
-    let t62 = (-t34).multiply_add(t36 * t48, t54);
-    let t63 = t35.multiply_add(t60, -(t3 * t59));
-    let t64 = t35.multiply_add(t61, t3 * t60);
-    let t65 = t34.multiply_add(t3 * t4, t42.multiply_add(t53, t52));
-    let t66 = T::constant(1.0) - L_g * L_g / (r * r);
-    let t67 = T::constant(1.0) / t66;
-    let c_0 = t46 * t49 * t67;
-    let c_1 = t46.multiply_add(t50, t42 * t49) * t67;
-    let c_2 = (-t35).multiply_add(t59, t62) * t67;
-    let c_3 = ((-t34).multiply_add(t56, t55) + t63) * t67;
-    let c_4 = ((-t34).multiply_add(t58, t57) + t64) * t67;
-    let c_5 = (t65 + t3.multiply_add(t61, -(t3 * t35))) * t67;
+    let t1 = C_D * 2.0;
+    let t2 = C_L * 2.0;
+    let t3 = C_D + dC_L;
+    let t4 = C_L - dC_D;
+    let t5 = C_D * -2.0;
+    let t6 = cos_alpha_0 * cos_alpha_0;
+    let t7 = cos_alpha_0 * sin_alpha_0;
+    let t8 = sin_alpha_0 * cos_gamma_r_plus_theta_0;
+    let t9 = cos_alpha_0.multiply_add(sin_gamma_r_plus_theta_0, t8);
+    let t10 = L_a * t9;
+    let t11 = cos_alpha_0 * t10;
+    let t12 = sin_alpha_0 * sin_alpha_0;
+    let t13 = sin_alpha_0 * t10;
+    let t14 = sin_alpha_0 * sin_gamma_r_plus_theta_0;
+    let t15 = cos_alpha_0.multiply_add(cos_gamma_r_plus_theta_0, -t14);
+    let t16 = L_a * t15;
+    let t17 = sin_alpha_0 * t16;
+    let t18 = cos_alpha_0 * t16;
+    let t19 = t2 * t7;
+    let t20 = t4 * t7;
+    let t21 = t3 * t7;
+    let t22 = t1.multiply_add(t7, -(t2 * t12)) - t21;
+    let t23 = (-t3).multiply_add(t17, t1.multiply_add(t11, -(t2 * t13)));
+    let t24 = t4.multiply_add(t12, t2.multiply_add(t6, -(t5 * t7)));
+    let t25 = (-t4).multiply_add(t17, t2.multiply_add(t11, -(t5 * t13)));
+    let t26 = omega_x * omega_x;
+    let t27 = omega_y * omega_y;
+    let t28 = omega_theta * omega_theta;
+    let t29 = t27 * t28;
+    let t30 = m * r;
+    let t31 = T::constant(1.0) / (r * t30);
+    let t32 = t30 * t31;
+    let t33 = L_g * t32;
+    let t34 = sin_alpha_g_plus_theta_0 * t33;
+    let t35 = cos_alpha_g_plus_theta_0 * t33;
+    let t36 = U * (rho * D) * (r * r * t31 * 0.5);
+    let t37 = C_M * (D * 2.0) * t32;
+    let t38 = D * dC_M * t32;
+    let t39 = t3.multiply_add(t12, t1.multiply_add(t6, -t19)) + t20;
+    let t40 = (-t4).multiply_add(t6, t22) * t36;
+    let t41 = t36 * ((-t4).multiply_add(t18, t23) * t32);
+    let t42 = (t24 - t21) * t36;
+    let t43 = t3.multiply_add(t6, (-t5).multiply_add(t12, t19) - t20);
+    let t44 = t36 * (t3.multiply_add(t18, t25) * t32);
+    let t45 = t36 * cos_alpha_0.multiply_add(t37, -(sin_alpha_0 * t38));
+    let t46 = t36 * sin_alpha_0.multiply_add(t37, cos_alpha_0 * t38);
+    let t47 = zeta_x.multiply_add(omega_x * 2.0, t39 * t36);
+    let t48 = zeta_y.multiply_add(omega_y * 2.0, t43 * t36);
+    let t49 = t36 * (t32 * t10.multiply_add(t37, t16 * t38));
+    let t50 = zeta_theta.multiply_add(omega_theta * 2.0, t49);
+    let t51 = t27.multiply_add(t50, t28 * t48);
+    let t52 = (-t44).multiply_add(t46, t28 + t48.multiply_add(t50, t27));
+    let t53 = t48 + t50 - t35.multiply_add(t44, t35 * t46);
+    let t54 = (-t35).multiply_add(t35, T::constant(1.0));
+    let t55 = t29 + t26.multiply_add(t52, t47 * t51);
+    let t56 = t51 + t26.multiply_add(t53, t47 * t52);
+    let t57 = t42.multiply_add(t50, -(t44 * t45));
+    let t58 = t52 + t26.multiply_add(t54, t47 * t53);
+    let t59 = t42 - t34.multiply_add(t44, t35 * t45);
+    let t60 = t27 * t45;
+    let t61 = t42.multiply_add(t46, -t27.multiply_add(t34, t45 * t48));
+    let t62 = t35.multiply_add(t42, -t34.multiply_add(t48, t45));
+    let t63 = (-t40).multiply_add(t28 * t42, t55);
+    let t64 = t41.multiply_add(t61, -(t34 * t60));
+    let t65 = t41.multiply_add(t62, t34 * t61);
+    let t66 = t40.multiply_add(t34 * t35, t47.multiply_add(t54, t53));
+    let t67 = (-(L_g * L_g)).multiply_add(m * t31, T::constant(1.0));
+    let t68 = T::constant(1.0) / t67;
+    let c_0 = t26 * t29 * t68;
+    let c_1 = t26.multiply_add(t51, t29 * t47) * t68;
+    let c_2 = (-t41).multiply_add(t60, t63) * t68;
+    let c_3 = ((-t40).multiply_add(t57, t56) + t64) * t68;
+    let c_4 = ((-t40).multiply_add(t59, t58) + t65) * t68;
+    let c_5 = (t66 + t34.multiply_add(t62, -(t34 * t41))) * t68;
     CharacteristicPolynomialOutputs {
         c_0,
         c_1,
@@ -445,7 +446,7 @@ fn characteristic_polynomial_body<T: Arithmetic>(
 ///
 /// # Cost
 ///
-/// 191 operations (63 +, 124 ×, 4 ÷).
+/// 196 operations (63 +, 131 ×, 2 ÷).
 ///
 /// # Proof
 ///
@@ -461,12 +462,12 @@ fn characteristic_polynomial_body<T: Arithmetic>(
 /// in \[0, 0.05\], C_D in \[0.2, 2\], C_L in \[-1.5, 1.5\], C_D′ in \[-10, 10\], C_L′ in \[-10,
 /// 10\], C_M in \[-0.5, 0.5\], C_M′ in \[-5, 5\], angles all around the circle:
 ///
-/// - `c_0`: at most 4.81; at 99 of 100 points at most 2.36.
-/// - `c_1`: at most 7.5e4; at 99 of 100 points at most 16.84.
-/// - `c_2`: at most 401.29; at 99 of 100 points at most 2.69.
-/// - `c_3`: at most 7.9e4; at 99 of 100 points at most 17.89.
-/// - `c_4`: at most 134.41; at 99 of 100 points at most 2.36.
-/// - `c_5`: at most 1.5e4; at 99 of 100 points at most 15.16.
+/// - `c_0`: at most 6.46; at 99 of 100 points at most 2.36.
+/// - `c_1`: at most 1.1e5; at 99 of 100 points at most 21.03.
+/// - `c_2`: at most 401.29; at 99 of 100 points at most 2.73.
+/// - `c_3`: at most 3.4e5; at 99 of 100 points at most 20.92.
+/// - `c_4`: at most 134.41; at 99 of 100 points at most 2.37.
+/// - `c_5`: at most 1.5e4; at 99 of 100 points at most 19.15.
 /// - `c_6`: at most 0.00; at 99 of 100 points at most 0.00.
 ///
 /// # Origin

@@ -5,7 +5,7 @@
 //!
 //! - Proof: Read back from this Rust, the 7 outputs of the body equal the derived expressions
 //!   in exact algebra, by exactly the operations that are counted.
-//! - Rounding: largest error 6.5e4 units in the last place; at 99 of 100 points at most 14.88.
+//! - Rounding: largest error 9.9e4 units in the last place; at 99 of 100 points at most 19.02.
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
@@ -278,56 +278,58 @@ fn characteristic_polynomial_along_x_body<T: Arithmetic>(
     let dC_L = inputs.dC_L;
     let C_M = inputs.C_M;
     let dC_M = inputs.dC_M;
-    let t1 = T::constant(1.0) / r;
-    let t2 = L_g * t1;
-    let t3 = sin_alpha_g_plus_theta_0 * t2;
-    let t4 = cos_alpha_g_plus_theta_0 * t2;
-    let t5 = U * (rho * D) / (m * 2.0);
-    let t6 = C_D * 2.0;
-    let t7 = C_L * 2.0;
-    let t8 = C_D + dC_L;
-    let t9 = t1 * (C_M * (D * 2.0));
-    let t10 = t1 * (D * dC_M);
-    let t11 = sin_gamma_r_plus_theta_0 * L_a;
-    let t12 = cos_gamma_r_plus_theta_0 * L_a;
-    let t13 = t5 * (dC_D - C_L);
-    let t14 = t5 * (t1 * t6.multiply_add(t11, -((C_L - dC_D) * t12)));
-    let t15 = t5 * t7;
-    let t16 = t5 * (t1 * t7.multiply_add(t11, t8 * t12));
-    let t17 = t5 * t9;
-    let t18 = t5 * t10;
-    let t19 = zeta_x.multiply_add(omega_x * 2.0, t5 * t6);
-    let t20 = zeta_y.multiply_add(omega_y * 2.0, t5 * t8);
-    let t21 = t5 * (t1 * t9.multiply_add(t11, t10 * t12));
-    let t22 = zeta_theta.multiply_add(omega_theta * 2.0, t21);
-    let t23 = omega_x * omega_x;
-    let t24 = omega_y * omega_y;
-    let t25 = omega_theta * omega_theta;
-    let t26 = t24 * t25;
-    let t27 = t22.multiply_add(t24, t20 * t25);
-    let t28 = (-t16).multiply_add(t18, t25 + t20.multiply_add(t22, t24));
-    let t29 = t20 + t22 - t4.multiply_add(t16, t4 * t18);
-    let t30 = (-t4).multiply_add(t4, T::constant(1.0));
-    let t31 = t26 + t23.multiply_add(t28, t19 * t27);
-    let t32 = t27 + t23.multiply_add(t29, t19 * t28);
-    let t33 = t15.multiply_add(t22, -(t16 * t17));
-    let t34 = t28 + t23.multiply_add(t30, t19 * t29);
-    let t35 = t15 - t3.multiply_add(t16, t4 * t17);
-    let t36 = t17 * t24;
-    let t37 = t15.multiply_add(t18, -t3.multiply_add(t24, t17 * t20));
-    let t38 = t4.multiply_add(t15, -t3.multiply_add(t20, t17));
-    let t39 = (-t13).multiply_add(t15 * t25, t31);
-    let t40 = t14.multiply_add(t37, -(t3 * t36));
-    let t41 = t14.multiply_add(t38, t3 * t37);
-    let t42 = t13.multiply_add(t3 * t4, t19.multiply_add(t30, t29));
-    let t43 = T::constant(1.0) - L_g * L_g / (r * r);
-    let t44 = T::constant(1.0) / t43;
-    let c_0 = t23 * t26 * t44;
-    let c_1 = t23.multiply_add(t27, t19 * t26) * t44;
-    let c_2 = (-t14).multiply_add(t36, t39) * t44;
-    let c_3 = ((-t13).multiply_add(t33, t32) + t40) * t44;
-    let c_4 = ((-t13).multiply_add(t35, t34) + t41) * t44;
-    let c_5 = (t42 + t3.multiply_add(t38, -(t3 * t14))) * t44;
+    let t1 = C_D * 2.0;
+    let t2 = C_L * 2.0;
+    let t3 = C_D + dC_L;
+    let t4 = sin_gamma_r_plus_theta_0 * L_a;
+    let t5 = cos_gamma_r_plus_theta_0 * L_a;
+    let t6 = omega_x * omega_x;
+    let t7 = omega_y * omega_y;
+    let t8 = omega_theta * omega_theta;
+    let t9 = t7 * t8;
+    let t10 = m * r;
+    let t11 = T::constant(1.0) / (r * t10);
+    let t12 = t10 * t11;
+    let t13 = L_g * t12;
+    let t14 = sin_alpha_g_plus_theta_0 * t13;
+    let t15 = cos_alpha_g_plus_theta_0 * t13;
+    let t16 = U * (rho * D) * (r * r * t11 * 0.5);
+    let t17 = C_M * (D * 2.0) * t12;
+    let t18 = D * dC_M * t12;
+    let t19 = (dC_D - C_L) * t16;
+    let t20 = t16 * (t1.multiply_add(t4, -((C_L - dC_D) * t5)) * t12);
+    let t21 = t2 * t16;
+    let t22 = t16 * (t2.multiply_add(t4, t3 * t5) * t12);
+    let t23 = t16 * t17;
+    let t24 = t16 * t18;
+    let t25 = zeta_x.multiply_add(omega_x * 2.0, t1 * t16);
+    let t26 = zeta_y.multiply_add(omega_y * 2.0, t3 * t16);
+    let t27 = t16 * (t12 * t4.multiply_add(t17, t5 * t18));
+    let t28 = zeta_theta.multiply_add(omega_theta * 2.0, t27);
+    let t29 = t7.multiply_add(t28, t8 * t26);
+    let t30 = (-t22).multiply_add(t24, t8 + t26.multiply_add(t28, t7));
+    let t31 = t26 + t28 - t15.multiply_add(t22, t15 * t24);
+    let t32 = (-t15).multiply_add(t15, T::constant(1.0));
+    let t33 = t9 + t6.multiply_add(t30, t25 * t29);
+    let t34 = t29 + t6.multiply_add(t31, t25 * t30);
+    let t35 = t21.multiply_add(t28, -(t22 * t23));
+    let t36 = t21 - t14.multiply_add(t22, t15 * t23);
+    let t37 = t30 + t6.multiply_add(t32, t25 * t31);
+    let t38 = t7 * t23;
+    let t39 = t21.multiply_add(t24, -t7.multiply_add(t14, t23 * t26));
+    let t40 = t15.multiply_add(t21, -t14.multiply_add(t26, t23));
+    let t41 = (-t19).multiply_add(t8 * t21, t33);
+    let t42 = t20.multiply_add(t39, -(t14 * t38));
+    let t43 = t20.multiply_add(t40, t14 * t39);
+    let t44 = t19.multiply_add(t14 * t15, t25.multiply_add(t32, t31));
+    let t45 = (-(L_g * L_g)).multiply_add(m * t11, T::constant(1.0));
+    let t46 = T::constant(1.0) / t45;
+    let c_0 = t6 * t9 * t46;
+    let c_1 = t6.multiply_add(t29, t9 * t25) * t46;
+    let c_2 = (-t20).multiply_add(t38, t41) * t46;
+    let c_3 = ((-t19).multiply_add(t35, t34) + t42) * t46;
+    let c_4 = ((-t19).multiply_add(t36, t37) + t43) * t46;
+    let c_5 = (t44 + t14.multiply_add(t40, -(t14 * t20))) * t46;
     CharacteristicPolynomialAlongXOutputs {
         c_0,
         c_1,
@@ -407,7 +409,7 @@ fn characteristic_polynomial_along_x_body<T: Arithmetic>(
 ///
 /// # Cost
 ///
-/// 139 operations (44 +, 91 ×, 4 ÷).
+/// 144 operations (44 +, 98 ×, 2 ÷).
 ///
 /// # Proof
 ///
@@ -424,12 +426,12 @@ fn characteristic_polynomial_along_x_body<T: Arithmetic>(
 /// C_L′(θ_0) in \[-10, 10\], C_M(θ_0) in \[-0.5, 0.5\], C_M′(θ_0) in \[-5, 5\], angles all
 /// around the circle:
 ///
-/// - `c_0`: at most 5.13; at 99 of 100 points at most 2.34.
-/// - `c_1`: at most 6.5e4; at 99 of 100 points at most 12.08.
-/// - `c_2`: at most 480.87; at 99 of 100 points at most 2.67.
-/// - `c_3`: at most 1.6e4; at 99 of 100 points at most 14.88.
-/// - `c_4`: at most 351.39; at 99 of 100 points at most 2.37.
-/// - `c_5`: at most 9.8e3; at 99 of 100 points at most 13.77.
+/// - `c_0`: at most 6.26; at 99 of 100 points at most 2.35.
+/// - `c_1`: at most 9.9e4; at 99 of 100 points at most 16.08.
+/// - `c_2`: at most 480.87; at 99 of 100 points at most 2.71.
+/// - `c_3`: at most 6.7e3; at 99 of 100 points at most 19.02.
+/// - `c_4`: at most 1.3e3; at 99 of 100 points at most 2.39.
+/// - `c_5`: at most 9.8e3; at 99 of 100 points at most 17.43.
 /// - `c_6`: at most 0.00; at 99 of 100 points at most 0.00.
 ///
 /// # Origin

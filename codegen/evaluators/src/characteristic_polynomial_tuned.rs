@@ -5,7 +5,7 @@
 //!
 //! - Proof: Read back from this Rust, the 7 outputs of the body equal the derived expressions
 //!   in exact algebra, by exactly the operations that are counted.
-//! - Rounding: largest error 1.5e5 units in the last place; at 99 of 100 points at most 17.57.
+//! - Rounding: largest error 1.5e5 units in the last place; at 99 of 100 points at most 21.74.
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
@@ -277,78 +277,79 @@ fn characteristic_polynomial_tuned_body<T: Arithmetic>(
     let C_M = inputs.C_M;
     let dC_M = inputs.dC_M;
     let omega_n = inputs.omega_n;
-    let t1 = T::constant(1.0) / r;
-    let t2 = L_g * t1;
-    let t3 = sin_alpha_g_plus_theta_0 * t2;
-    let t4 = cos_alpha_g_plus_theta_0 * t2;
-    let t5 = omega_n * 2.0;
-    let t6 = U * (rho * D) / (m * 2.0);
-    let t7 = C_D * 2.0;
-    let t8 = C_L * 2.0;
-    let t9 = C_D + dC_L;
-    let t10 = C_L - dC_D;
-    let t11 = C_D * -2.0;
-    let t12 = t1 * (C_M * (D * 2.0));
-    let t13 = t1 * (D * dC_M);
-    let t14 = cos_alpha_0 * cos_alpha_0;
-    let t15 = cos_alpha_0 * sin_alpha_0;
-    let t16 = sin_alpha_0 * cos_gamma_r_plus_theta_0;
-    let t17 = cos_alpha_0.multiply_add(sin_gamma_r_plus_theta_0, t16);
-    let t18 = L_a * t17;
-    let t19 = cos_alpha_0 * t18;
-    let t20 = sin_alpha_0 * sin_alpha_0;
-    let t21 = sin_alpha_0 * t18;
-    let t22 = sin_alpha_0 * sin_gamma_r_plus_theta_0;
-    let t23 = cos_alpha_0.multiply_add(cos_gamma_r_plus_theta_0, -t22);
-    let t24 = L_a * t23;
-    let t25 = sin_alpha_0 * t24;
-    let t26 = cos_alpha_0 * t24;
-    let t27 = t8 * t15;
-    let t28 = t10 * t15;
-    let t29 = t9 * t15;
-    let t30 = t7.multiply_add(t15, -(t8 * t20)) - t29;
-    let t31 = (-t9).multiply_add(t25, t7.multiply_add(t19, -(t8 * t21)));
-    let t32 = t10.multiply_add(t20, t8.multiply_add(t14, -(t11 * t15)));
-    let t33 = t8.multiply_add(t19, -(t11 * t21));
-    let t34 = t9.multiply_add(t20, t7.multiply_add(t14, -t27)) + t28;
-    let t35 = t6 * (-t10).multiply_add(t14, t30);
-    let t36 = t6 * (t1 * (-t10).multiply_add(t26, t31));
-    let t37 = t6 * (t32 - t29);
-    let t38 = t9.multiply_add(t14, (-t11).multiply_add(t20, t27) - t28);
-    let t39 = t1 * t9.multiply_add(t26, (-t10).multiply_add(t25, t33));
-    let t40 = t6 * t39;
-    let t41 = t6 * cos_alpha_0.multiply_add(t12, -(sin_alpha_0 * t13));
-    let t42 = t6 * sin_alpha_0.multiply_add(t12, cos_alpha_0 * t13);
-    let t43 = zeta_x.multiply_add(t5, t6 * t34);
-    let t44 = zeta_y.multiply_add(t5, t6 * t38);
-    let t45 = t6 * (t1 * t12.multiply_add(t18, t13 * t24));
-    let t46 = zeta_theta.multiply_add(t5, t45);
-    let t47 = omega_n * omega_n;
-    let t48 = t47 * t47;
-    let t49 = t46.multiply_add(t47, t44 * t47);
-    let t50 = (-t40).multiply_add(t42, t47 + t44.multiply_add(t46, t47));
-    let t51 = t44 + t46 - t4.multiply_add(t40, t4 * t42);
-    let t52 = (-t4).multiply_add(t4, T::constant(1.0));
-    let t53 = t48 + t47.multiply_add(t50, t43 * t49);
-    let t54 = t49 + t47.multiply_add(t51, t43 * t50);
-    let t55 = t37.multiply_add(t46, -(t40 * t41));
-    let t56 = t50 + t47.multiply_add(t52, t43 * t51);
-    let t57 = t37 - t3.multiply_add(t40, t4 * t41);
-    let t58 = t41 * t47;
-    let t59 = t37.multiply_add(t42, -t3.multiply_add(t47, t41 * t44));
-    let t60 = t4.multiply_add(t37, -t3.multiply_add(t44, t41));
-    let t61 = (-t35).multiply_add(t37 * t47, t53);
-    let t62 = t36.multiply_add(t59, -(t3 * t58));
-    let t63 = t36.multiply_add(t60, t3 * t59);
-    let t64 = t35.multiply_add(t3 * t4, t43.multiply_add(t52, t51));
-    let t65 = T::constant(1.0) - L_g * L_g / (r * r);
-    let t66 = T::constant(1.0) / t65;
-    let c_0 = t47 * t48 * t66;
-    let c_1 = t47.multiply_add(t49, t43 * t48) * t66;
-    let c_2 = (-t36).multiply_add(t58, t61) * t66;
-    let c_3 = ((-t35).multiply_add(t55, t54) + t62) * t66;
-    let c_4 = ((-t35).multiply_add(t57, t56) + t63) * t66;
-    let c_5 = (t64 + t3.multiply_add(t60, -(t3 * t36))) * t66;
+    let t1 = omega_n * 2.0;
+    let t2 = C_D * 2.0;
+    let t3 = C_L * 2.0;
+    let t4 = C_D + dC_L;
+    let t5 = C_L - dC_D;
+    let t6 = C_D * -2.0;
+    let t7 = cos_alpha_0 * cos_alpha_0;
+    let t8 = cos_alpha_0 * sin_alpha_0;
+    let t9 = sin_alpha_0 * cos_gamma_r_plus_theta_0;
+    let t10 = cos_alpha_0.multiply_add(sin_gamma_r_plus_theta_0, t9);
+    let t11 = L_a * t10;
+    let t12 = cos_alpha_0 * t11;
+    let t13 = sin_alpha_0 * sin_alpha_0;
+    let t14 = sin_alpha_0 * t11;
+    let t15 = sin_alpha_0 * sin_gamma_r_plus_theta_0;
+    let t16 = cos_alpha_0.multiply_add(cos_gamma_r_plus_theta_0, -t15);
+    let t17 = L_a * t16;
+    let t18 = sin_alpha_0 * t17;
+    let t19 = cos_alpha_0 * t17;
+    let t20 = t3 * t8;
+    let t21 = t5 * t8;
+    let t22 = t4 * t8;
+    let t23 = t2.multiply_add(t8, -(t3 * t13)) - t22;
+    let t24 = (-t4).multiply_add(t18, t2.multiply_add(t12, -(t3 * t14)));
+    let t25 = t5.multiply_add(t13, t3.multiply_add(t7, -(t6 * t8)));
+    let t26 = (-t5).multiply_add(t18, t3.multiply_add(t12, -(t6 * t14)));
+    let t27 = omega_n * omega_n;
+    let t28 = t27 * t27;
+    let t29 = m * r;
+    let t30 = T::constant(1.0) / (r * t29);
+    let t31 = t29 * t30;
+    let t32 = L_g * t31;
+    let t33 = sin_alpha_g_plus_theta_0 * t32;
+    let t34 = cos_alpha_g_plus_theta_0 * t32;
+    let t35 = U * (rho * D) * (r * r * t30 * 0.5);
+    let t36 = C_M * (D * 2.0) * t31;
+    let t37 = D * dC_M * t31;
+    let t38 = t4.multiply_add(t13, t2.multiply_add(t7, -t20)) + t21;
+    let t39 = (-t5).multiply_add(t7, t23) * t35;
+    let t40 = t35 * ((-t5).multiply_add(t19, t24) * t31);
+    let t41 = (t25 - t22) * t35;
+    let t42 = t4.multiply_add(t7, (-t6).multiply_add(t13, t20) - t21);
+    let t43 = t35 * (t4.multiply_add(t19, t26) * t31);
+    let t44 = t35 * cos_alpha_0.multiply_add(t36, -(sin_alpha_0 * t37));
+    let t45 = t35 * sin_alpha_0.multiply_add(t36, cos_alpha_0 * t37);
+    let t46 = zeta_x.multiply_add(t1, t38 * t35);
+    let t47 = zeta_y.multiply_add(t1, t42 * t35);
+    let t48 = t35 * (t31 * t11.multiply_add(t36, t17 * t37));
+    let t49 = zeta_theta.multiply_add(t1, t48);
+    let t50 = t27.multiply_add(t49, t27 * t47);
+    let t51 = (-t43).multiply_add(t45, t27 + t47.multiply_add(t49, t27));
+    let t52 = t47 + t49 - t34.multiply_add(t43, t34 * t45);
+    let t53 = (-t34).multiply_add(t34, T::constant(1.0));
+    let t54 = t28 + t27.multiply_add(t51, t46 * t50);
+    let t55 = t50 + t27.multiply_add(t52, t46 * t51);
+    let t56 = t41.multiply_add(t49, -(t43 * t44));
+    let t57 = t51 + t27.multiply_add(t53, t46 * t52);
+    let t58 = t41 - t33.multiply_add(t43, t34 * t44);
+    let t59 = t27 * t44;
+    let t60 = t41.multiply_add(t45, -t27.multiply_add(t33, t44 * t47));
+    let t61 = t34.multiply_add(t41, -t33.multiply_add(t47, t44));
+    let t62 = (-t39).multiply_add(t27 * t41, t54);
+    let t63 = t40.multiply_add(t60, -(t33 * t59));
+    let t64 = t40.multiply_add(t61, t33 * t60);
+    let t65 = t39.multiply_add(t33 * t34, t46.multiply_add(t53, t52));
+    let t66 = (-(L_g * L_g)).multiply_add(m * t30, T::constant(1.0));
+    let t67 = T::constant(1.0) / t66;
+    let c_0 = t27 * t28 * t67;
+    let c_1 = t27.multiply_add(t50, t28 * t46) * t67;
+    let c_2 = (-t40).multiply_add(t59, t62) * t67;
+    let c_3 = ((-t39).multiply_add(t56, t55) + t63) * t67;
+    let c_4 = ((-t39).multiply_add(t58, t57) + t64) * t67;
+    let c_5 = (t65 + t33.multiply_add(t61, -(t33 * t40))) * t67;
     CharacteristicPolynomialTunedOutputs {
         c_0,
         c_1,
@@ -427,7 +428,7 @@ fn characteristic_polynomial_tuned_body<T: Arithmetic>(
 ///
 /// # Cost
 ///
-/// 187 operations (63 +, 120 ×, 4 ÷).
+/// 192 operations (63 +, 127 ×, 2 ÷).
 ///
 /// # Proof
 ///
@@ -443,12 +444,12 @@ fn characteristic_polynomial_tuned_body<T: Arithmetic>(
 /// C_D′ in \[-10, 10\], C_L′ in \[-10, 10\], C_M in \[-0.5, 0.5\], C_M′ in \[-5, 5\], ω_n in
 /// \[1, 20\], angles all around the circle:
 ///
-/// - `c_0`: at most 5.19; at 99 of 100 points at most 2.87.
-/// - `c_1`: at most 2.7e4; at 99 of 100 points at most 17.57.
-/// - `c_2`: at most 1.1e4; at 99 of 100 points at most 3.07.
-/// - `c_3`: at most 1.9e4; at 99 of 100 points at most 16.69.
-/// - `c_4`: at most 1.2e4; at 99 of 100 points at most 2.62.
-/// - `c_5`: at most 1.5e5; at 99 of 100 points at most 17.03.
+/// - `c_0`: at most 6.95; at 99 of 100 points at most 2.88.
+/// - `c_1`: at most 2.2e4; at 99 of 100 points at most 21.74.
+/// - `c_2`: at most 6.5e3; at 99 of 100 points at most 3.09.
+/// - `c_3`: at most 3.1e4; at 99 of 100 points at most 20.98.
+/// - `c_4`: at most 2.2e4; at 99 of 100 points at most 2.64.
+/// - `c_5`: at most 1.5e5; at 99 of 100 points at most 20.99.
 /// - `c_6`: at most 0.00; at 99 of 100 points at most 0.00.
 ///
 /// # Origin

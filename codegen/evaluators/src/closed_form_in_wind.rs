@@ -7,7 +7,7 @@
 //!
 //! - Proof: Read back from this Rust, the 3 outputs of the body equal the derived expressions
 //!   in exact algebra, by exactly the operations that are counted.
-//! - Rounding: largest error 2.1e5 units in the last place; at 99 of 100 points at most 65.10.
+//! - Rounding: largest error 2.1e5 units in the last place; at 99 of 100 points at most 64.85.
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
@@ -231,54 +231,60 @@ fn closed_form_in_wind_body<T: Arithmetic>(
     let dC_L = inputs.dC_L;
     let C_M = inputs.C_M;
     let dC_M = inputs.dC_M;
-    let t1 = T::constant(1.0) / r;
-    let t2 = C_D * 2.0;
-    let t3 = C_L * 2.0;
-    let t4 = C_D + dC_L;
-    let t5 = C_L - dC_D;
-    let t6 = C_D * -2.0;
-    let t7 = t1 * (C_M * (D * 2.0));
-    let t8 = t1 * (D * dC_M);
-    let t9 = cos_alpha_0 * cos_alpha_0;
-    let t10 = cos_alpha_0 * sin_alpha_0;
-    let t11 = sin_alpha_0 * cos_gamma_r_plus_theta_0;
-    let t12 = cos_alpha_0.multiply_add(sin_gamma_r_plus_theta_0, t11);
-    let t13 = L_a * t12;
-    let t14 = cos_alpha_0 * t13;
-    let t15 = sin_alpha_0 * sin_alpha_0;
-    let t16 = sin_alpha_0 * t13;
-    let t17 = sin_alpha_0 * sin_gamma_r_plus_theta_0;
-    let t18 = cos_alpha_0.multiply_add(cos_gamma_r_plus_theta_0, -t17);
-    let t19 = L_a * t18;
-    let t20 = sin_alpha_0 * t19;
-    let t21 = cos_alpha_0 * t19;
-    let t22 = t3 * t10;
-    let t23 = t5 * t10;
-    let t24 = t4.multiply_add(t15, t2.multiply_add(t9, -t22)) + t23;
-    let t25 = t4 * t10;
-    let t26 = t2.multiply_add(t10, -(t3 * t15)) - t25;
-    let t27 = (-t4).multiply_add(t20, t2.multiply_add(t14, -(t3 * t16)));
-    let t28 = t5.multiply_add(t15, t3.multiply_add(t9, -(t6 * t10)));
-    let t29 = t4.multiply_add(t9, (-t6).multiply_add(t15, t22) - t23);
-    let t30 = (-t5).multiply_add(t20, t3.multiply_add(t14, -(t6 * t16)));
-    let t31 = t1 * t7.multiply_add(t13, t8 * t19);
-    let t32 = U * (rho * D);
-    let t33 = t32 / (m * 8.0);
-    let t34 = sin_alpha_g_plus_theta_0 * sin_alpha_g_plus_theta_0;
-    let t35 = cos_alpha_g_plus_theta_0 * cos_alpha_g_plus_theta_0;
-    let t36 = (-t5).multiply_add(t9, t26) + (t28 - t25);
-    let t37 = sin_alpha_g_plus_theta_0 * t36;
-    let t38 = t24.multiply_add(t34, t29 * t35);
-    let t39 = t31 + cos_alpha_g_plus_theta_0.multiply_add(t37, t38);
-    let t40 = sin_alpha_0.multiply_add(t7, cos_alpha_0 * t8);
-    let t41 = t1.multiply_add(t4.multiply_add(t21, t30), t40);
-    let t42 = cos_alpha_0.multiply_add(t7, -(sin_alpha_0 * t8));
-    let t43 = t1.multiply_add((-t5).multiply_add(t21, t27), t42);
-    let t44 = sin_alpha_g_plus_theta_0 * t43;
-    let t45 = cos_alpha_g_plus_theta_0.multiply_add(t41, t44);
-    let lamda_R1 = t33 * (r / (r - L_g)) * (t45 - t39);
-    let lamda_R2 = -(t32 / (m * 4.0) * (t31 + (t24 + t29) - t39));
-    let lamda_R3 = t33 * (r / (r + L_g)) * (-t39 - t45);
+    let t1 = C_D * 2.0;
+    let t2 = C_L * 2.0;
+    let t3 = C_D + dC_L;
+    let t4 = C_L - dC_D;
+    let t5 = C_D * -2.0;
+    let t6 = cos_alpha_0 * cos_alpha_0;
+    let t7 = cos_alpha_0 * sin_alpha_0;
+    let t8 = sin_alpha_0 * cos_gamma_r_plus_theta_0;
+    let t9 = cos_alpha_0.multiply_add(sin_gamma_r_plus_theta_0, t8);
+    let t10 = L_a * t9;
+    let t11 = cos_alpha_0 * t10;
+    let t12 = sin_alpha_0 * sin_alpha_0;
+    let t13 = sin_alpha_0 * t10;
+    let t14 = sin_alpha_0 * sin_gamma_r_plus_theta_0;
+    let t15 = cos_alpha_0.multiply_add(cos_gamma_r_plus_theta_0, -t14);
+    let t16 = L_a * t15;
+    let t17 = sin_alpha_0 * t16;
+    let t18 = cos_alpha_0 * t16;
+    let t19 = t2 * t7;
+    let t20 = t4 * t7;
+    let t21 = t3.multiply_add(t12, t1.multiply_add(t6, -t19)) + t20;
+    let t22 = t3 * t7;
+    let t23 = t1.multiply_add(t7, -(t2 * t12)) - t22;
+    let t24 = (-t3).multiply_add(t17, t1.multiply_add(t11, -(t2 * t13)));
+    let t25 = t4.multiply_add(t12, t2.multiply_add(t6, -(t5 * t7)));
+    let t26 = t3.multiply_add(t6, (-t5).multiply_add(t12, t19) - t20);
+    let t27 = (-t4).multiply_add(t17, t2.multiply_add(t11, -(t5 * t13)));
+    let t28 = U * (rho * D);
+    let t29 = r - L_g;
+    let t30 = sin_alpha_g_plus_theta_0 * sin_alpha_g_plus_theta_0;
+    let t31 = cos_alpha_g_plus_theta_0 * cos_alpha_g_plus_theta_0;
+    let t32 = (-t4).multiply_add(t6, t23) + (t25 - t22);
+    let t33 = sin_alpha_g_plus_theta_0 * t32;
+    let t34 = t21.multiply_add(t30, t26 * t31);
+    let t35 = r + L_g;
+    let t36 = m * r;
+    let t37 = t29 * t36;
+    let t38 = T::constant(1.0) / (t35 * t37);
+    let t39 = t35 * (m * t29) * t38;
+    let t40 = t35 * (r * t29) * t38;
+    let t41 = C_M * (D * 2.0) * t39;
+    let t42 = D * dC_M * t39;
+    let t43 = t39 * t10.multiply_add(t41, t16 * t42);
+    let t44 = t28 * (t40 * 0.125);
+    let t45 = cos_alpha_g_plus_theta_0.multiply_add(t33, t34) + t43;
+    let t46 = sin_alpha_0.multiply_add(t41, cos_alpha_0 * t42);
+    let t47 = t3.multiply_add(t18, t27).multiply_add(t39, t46);
+    let t48 = cos_alpha_0.multiply_add(t41, -(sin_alpha_0 * t42));
+    let t49 = (-t4).multiply_add(t18, t24).multiply_add(t39, t48);
+    let t50 = sin_alpha_g_plus_theta_0 * t49;
+    let t51 = cos_alpha_g_plus_theta_0.multiply_add(t47, t50);
+    let lamda_R1 = t44 * (r * (t35 * t36 * t38)) * (t51 - t45);
+    let lamda_R2 = -(t28 * (t40 * 0.25) * (t21 + t26 + t43 - t45));
+    let lamda_R3 = t44 * (r * (t37 * t38)) * (-t45 - t51);
     ClosedFormInWindOutputs {
         lamda_R1,
         lamda_R2,
@@ -344,7 +350,7 @@ fn closed_form_in_wind_body<T: Arithmetic>(
 ///
 /// # Cost
 ///
-/// 114 operations (41 +, 68 ×, 5 ÷).
+/// 126 operations (41 +, 84 ×, 1 ÷).
 ///
 /// # Proof
 ///
@@ -359,9 +365,9 @@ fn closed_form_in_wind_body<T: Arithmetic>(
 /// \[0.2, 2\], C_L in \[-1.5, 1.5\], C_D′ in \[-10, 10\], C_L′ in \[-10, 10\], C_M in \[-0.5,
 /// 0.5\], C_M′ in \[-5, 5\], angles all around the circle:
 ///
-/// - `lamda_R1`: at most 5.0e4; at 99 of 100 points at most 56.48.
-/// - `lamda_R2`: at most 4.6e4; at 99 of 100 points at most 65.10.
-/// - `lamda_R3`: at most 2.1e5; at 99 of 100 points at most 54.67.
+/// - `lamda_R1`: at most 5.5e4; at 99 of 100 points at most 63.69.
+/// - `lamda_R2`: at most 4.6e4; at 99 of 100 points at most 64.85.
+/// - `lamda_R3`: at most 2.1e5; at 99 of 100 points at most 61.13.
 ///
 /// # Origin
 ///

@@ -4,7 +4,7 @@
 //!
 //! - Proof: Read back from this Rust, the 3 outputs of the body equal the derived expressions
 //!   in exact algebra, by exactly the operations that are counted.
-//! - Rounding: largest error 4.9e10 units in the last place; at 99 of 100 points at most 1.8e7.
+//! - Rounding: largest error 2.8e10 units in the last place; at 99 of 100 points at most 1.5e7.
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
@@ -216,105 +216,108 @@ fn matching_residuals_body<T: Arithmetic>(
     let t1 = r - L_g;
     let t2 = r + L_g;
     let t3 = L_g * cos_alpha_g_plus_theta_0;
-    let t4 = T::constant(1.0) / (m * (t1 * t2));
-    let t5 = (r - t3) * (r + t3) * t4;
-    let t6 = cos_alpha_g_plus_theta_0 * sin_alpha_g_plus_theta_0;
-    let t7 = t4 * (L_g * (L_g * t6));
-    let t8 = L_g * sin_alpha_g_plus_theta_0;
-    let t9 = t4 * t8;
-    let t10 = t4 * ((r - t8) * (r + t8));
-    let t11 = t3 * t4;
-    let t12 = omega_n * omega_n;
-    let t13 = m * t12;
-    let t14 = t12 * (m * (r * r));
-    let t15 = t5 * t13;
-    let t16 = t7 * t13;
-    let t17 = t9 * t14;
-    let t18 = t10 * t13;
-    let t19 = t11 * t14;
-    let t20 = t9 * t13;
-    let t21 = t11 * t13;
-    let t22 = t4 * t14;
-    let t23 = U * (rho * D);
-    let t24 = t23 * 0.5;
-    let t25 = r * t24;
-    let t26 = S_xx * t24;
-    let t27 = S_xy * t24;
-    let t28 = S_yx * t24;
-    let t29 = S_yy * t24;
-    let t30 = S_tx * t25;
-    let t31 = S_ty * t25;
-    let t32 = r * (S_xt * t24);
-    let t33 = r * (S_yt * t24);
-    let t34 = r * (S_tt * t25);
-    let t35 = t9.multiply_add(t30, (-t7).multiply_add(t28, -(t5 * t26)));
-    let t36 = t9.multiply_add(t31, (-t7).multiply_add(t29, -(t5 * t27)));
-    let t37 = t9.multiply_add(t34, (-t7).multiply_add(t33, -(t5 * t32)));
-    let t38 = (-t10).multiply_add(t28, -(t7 * t26));
-    let t39 = t11.multiply_add(t30, t38);
-    let t40 = (-t10).multiply_add(t29, -(t7 * t27));
-    let t41 = t11.multiply_add(t31, t40);
-    let t42 = (-t10).multiply_add(t33, -(t7 * t32));
-    let t43 = t11.multiply_add(t34, t42);
-    let t44 = (-t4).multiply_add(t30, t9.multiply_add(t26, t11 * t28));
-    let t45 = (-t4).multiply_add(t31, t9.multiply_add(t27, t11 * t29));
-    let t46 = t9.multiply_add(t32, t11 * t33);
-    let t47 = t4 * t34;
-    let t48 = t46 - t47;
-    let t49 = t41 * t48;
-    let t50 = t47 - t46 - t41;
-    let t51 = t43 * t45;
-    let t52 = t49 - t51;
-    let t53 = t39.multiply_add(t48, -(t43 * t44));
-    let t54 = t39.multiply_add(t45, -(t41 * t44));
-    let t55 = t36.multiply_add(t39, t35.multiply_add(t50, t51 - t49));
-    let t56 = t19.multiply_add(t45, t22 * t41);
-    let t57 = t17.multiply_add(t54, -(t35 * t56));
-    let t58 = t37.multiply_add(t54, t35.multiply_add(t52, -(t36 * t53)));
-    let t59 = t18 * t48;
-    let t60 = t21 * t43;
-    let t61 = (-t35).multiply_add(-t59 - t60, -(t16 * t53));
-    let t62 = (-t21).multiply_add(t39, -(t18 * t44));
-    let t63 = t19.multiply_add(t21, -(t18 * t22));
-    let t64 = t36.multiply_add(t19.multiply_add(t44, t22 * t39), t57);
-    let t65 = t16.multiply_add(t39, -t18.multiply_add(t35, t59 + t60));
-    let t66 = (-t20).multiply_add(t43, -(t16 * t48));
-    let t67 = (-t36).multiply_add(t66, -(t15 * t52));
-    let t68 = (-t20).multiply_add(t41, -(t16 * t45));
-    let t69 = (-t16).multiply_add(t36, -(t15 * t50));
-    let t70 = t15.multiply_add(t22, -(t17 * t20));
-    let t71 = t15.multiply_add(t18, -(t16 * t16));
-    let t72 = t37.multiply_add(t62, t61) - t63 - t64;
-    let t73 = t65 - (t58 + t17.multiply_add(t44, -(-(t22 * t35) - t56)));
-    let t74 = U * (D * (r * rho));
-    let t75 = cos_alpha_g_plus_theta_0 * cos_alpha_g_plus_theta_0;
-    let t76 = S_xy * t6;
-    let t77 = S_yx * t6;
-    let t78 = S_yy.multiply_add(t75, t76) + t77;
-    let t79 = cos_alpha_g_plus_theta_0 * S_yt;
-    let t80 = cos_alpha_g_plus_theta_0 * S_ty;
-    let t81 = sin_alpha_g_plus_theta_0 * sin_alpha_g_plus_theta_0;
-    let t82 = S_xx * t81;
-    let t83 = sin_alpha_g_plus_theta_0 * S_xt;
-    let t84 = sin_alpha_g_plus_theta_0 * S_tx;
-    let t85 = m * 4.0;
-    let t86 = t74 * (S_tt + (t78 - t79 - t80 + t82 - t83 - t84));
-    let t87 = t86 / (t1 * t85);
-    let t88 = S_yy.multiply_add(t81, S_xx.multiply_add(t75, -t76) - t77);
-    let t89 = t23 * t88 / (m * 2.0);
-    let t90 = t74 * (S_tt + (t84 + (t83 + (t82 + (t80 + (t78 + t79))))));
-    let t91 = t90 / (t2 * t85);
-    let t92 = t12 * (r / t1);
-    let t93 = t89.multiply_add(t92, t12 * t87);
-    let t94 = t12 + t87.multiply_add(t89, t92);
-    let t95 = t87 + t89;
-    let t96 = t12 * (r / t2);
-    let t97 = t94.multiply_add(t96, t12.multiply_add(t92, t91 * t93));
-    let R_3 = t72 - (t37.multiply_add(t68, t67) - t70 - t71) - t97;
-    let t98 = t95.multiply_add(t96, t91.multiply_add(t94, t93));
-    let R_2 = t73 - t20.multiply_add(t37, t69) - t98;
-    let t99 = t15 + (t18 - (t37.multiply_add(t44, t55) - t22));
-    let R_1 = t99 - (t96 + t91.multiply_add(t95, t94));
+    let t4 = cos_alpha_g_plus_theta_0 * sin_alpha_g_plus_theta_0;
+    let t5 = L_g * sin_alpha_g_plus_theta_0;
+    let t6 = omega_n * omega_n;
+    let t7 = m * t6;
+    let t8 = t6 * (m * (r * r));
+    let t9 = U * (rho * D);
+    let t10 = t9 * 0.5;
+    let t11 = r * t10;
+    let t12 = S_xx * t10;
+    let t13 = S_xy * t10;
+    let t14 = S_yx * t10;
+    let t15 = S_yy * t10;
+    let t16 = S_tx * t11;
+    let t17 = S_ty * t11;
+    let t18 = r * (S_xt * t10);
+    let t19 = r * (S_yt * t10);
+    let t20 = r * (S_tt * t11);
+    let t21 = U * (D * (r * rho));
+    let t22 = cos_alpha_g_plus_theta_0 * cos_alpha_g_plus_theta_0;
+    let t23 = S_xy * t4;
+    let t24 = S_yx * t4;
+    let t25 = S_yy.multiply_add(t22, t23) + t24;
+    let t26 = cos_alpha_g_plus_theta_0 * S_yt;
+    let t27 = cos_alpha_g_plus_theta_0 * S_ty;
+    let t28 = sin_alpha_g_plus_theta_0 * sin_alpha_g_plus_theta_0;
+    let t29 = S_xx * t28;
+    let t30 = sin_alpha_g_plus_theta_0 * S_xt;
+    let t31 = sin_alpha_g_plus_theta_0 * S_tx;
+    let t32 = S_yy.multiply_add(t28, S_xx.multiply_add(t22, -t23) - t24);
+    let t33 = m * t1;
+    let t34 = T::constant(1.0) / (t2 * t33);
+    let t35 = (r - t3) * (r + t3) * t34;
+    let t36 = L_g * (L_g * t4) * t34;
+    let t37 = t5 * t34;
+    let t38 = (r - t5) * (r + t5) * t34;
+    let t39 = t3 * t34;
+    let t40 = t7 * t35;
+    let t41 = t7 * t36;
+    let t42 = t8 * t37;
+    let t43 = t7 * t38;
+    let t44 = t8 * t39;
+    let t45 = t7 * t37;
+    let t46 = t7 * t39;
+    let t47 = t8 * t34;
+    let t48 = (-t14).multiply_add(t36, -(t12 * t35));
+    let t49 = t16.multiply_add(t37, t48);
+    let t50 = (-t15).multiply_add(t36, -(t13 * t35));
+    let t51 = t17.multiply_add(t37, t50);
+    let t52 = (-t19).multiply_add(t36, -(t18 * t35));
+    let t53 = t20.multiply_add(t37, t52);
+    let t54 = (-t14).multiply_add(t38, -(t12 * t36));
+    let t55 = t16.multiply_add(t39, t54);
+    let t56 = (-t15).multiply_add(t38, -(t13 * t36));
+    let t57 = t17.multiply_add(t39, t56);
+    let t58 = (-t19).multiply_add(t38, -(t18 * t36));
+    let t59 = t20.multiply_add(t39, t58);
+    let t60 = (-t16).multiply_add(t34, t12.multiply_add(t37, t14 * t39));
+    let t61 = (-t17).multiply_add(t34, t13.multiply_add(t37, t15 * t39));
+    let t62 = t18.multiply_add(t37, t19 * t39);
+    let t63 = t20 * t34;
+    let t64 = t62 - t63;
+    let t65 = t57 * t64;
+    let t66 = t63 - t62 - t57;
+    let t67 = t59 * t61;
+    let t68 = t65 - t67;
+    let t69 = t55.multiply_add(t64, -(t59 * t60));
+    let t70 = t55.multiply_add(t61, -(t57 * t60));
+    let t71 = t51.multiply_add(t55, t49.multiply_add(t66, t67 - t65));
+    let t72 = t44.multiply_add(t61, t47 * t57);
+    let t73 = t42.multiply_add(t70, -(t49 * t72));
+    let t74 = t53.multiply_add(t70, t49.multiply_add(t68, -(t51 * t69)));
+    let t75 = t43 * t64;
+    let t76 = t46 * t59;
+    let t77 = (-t49).multiply_add(-t75 - t76, -(t41 * t69));
+    let t78 = (-t46).multiply_add(t55, -(t43 * t60));
+    let t79 = t44.multiply_add(t46, -(t43 * t47));
+    let t80 = t51.multiply_add(t44.multiply_add(t60, t47 * t55), t73);
+    let t81 = t41.multiply_add(t55, -t43.multiply_add(t49, t75 + t76));
+    let t82 = (-t45).multiply_add(t59, -(t41 * t64));
+    let t83 = (-t51).multiply_add(t82, -(t40 * t68));
+    let t84 = (-t45).multiply_add(t57, -(t41 * t61));
+    let t85 = (-t41).multiply_add(t51, -(t40 * t66));
+    let t86 = t40.multiply_add(t47, -(t42 * t45));
+    let t87 = t40.multiply_add(t43, -(t41 * t41));
+    let t88 = t53.multiply_add(t78, t77) - t79 - t80;
+    let t89 = t81 - (t74 + t42.multiply_add(t60, -(-(t47 * t49) - t72)));
+    let t90 = t21 * (S_tt + (t25 - t26 - t27 + t29 - t30 - t31));
+    let t91 = t90 * (t2 * t34 * 0.25);
+    let t92 = t9 * t32 * (t1 * t2 * t34 * 0.5);
+    let t93 = t21 * (S_tt + (t31 + (t30 + (t29 + (t27 + (t25 + t26))))));
+    let t94 = t93 * (t1 * t34 * 0.25);
+    let t95 = t6 * (r * (m * t2 * t34));
+    let t96 = t92.multiply_add(t95, t6 * t91);
+    let t97 = t6 + t91.multiply_add(t92, t95);
+    let t98 = t91 + t92;
+    let t99 = t6 * (r * (t33 * t34));
+    let t100 = t97.multiply_add(t99, t6.multiply_add(t95, t94 * t96));
+    let R_3 = t88 - (t53.multiply_add(t84, t83) - t86 - t87) - t100;
+    let t101 = t98.multiply_add(t99, t94.multiply_add(t97, t96));
+    let R_2 = t89 - t45.multiply_add(t53, t85) - t101;
+    let t102 = t40 + (t43 - (t53.multiply_add(t60, t71) - t47));
+    let R_1 = t102 - (t99 + t94.multiply_add(t98, t97));
     MatchingResidualsOutputs { R_1, R_2, R_3 }
 }
 
@@ -370,7 +373,7 @@ fn matching_residuals_body<T: Arithmetic>(
 ///
 /// # Cost
 ///
-/// 267 operations (112 +, 149 ×, 6 ÷).
+/// 273 operations (112 +, 160 ×, 1 ÷).
 ///
 /// # Proof
 ///
@@ -386,9 +389,9 @@ fn matching_residuals_body<T: Arithmetic>(
 /// 10\], S_yθ in \[-10, 10\], S_θx in \[-10, 10\], S_θy in \[-10, 10\], S_θθ in \[-10, 10\],
 /// angles all around the circle:
 ///
-/// - `R_1`: at most 2.8e10; at 99 of 100 points at most 8.5e6.
-/// - `R_2`: at most 1.6e10; at 99 of 100 points at most 1.8e7.
-/// - `R_3`: at most 4.9e10; at 99 of 100 points at most 1.4e7.
+/// - `R_1`: at most 2.8e10; at 99 of 100 points at most 7.7e6.
+/// - `R_2`: at most 7.3e9; at 99 of 100 points at most 1.5e7.
+/// - `R_3`: at most 1.4e10; at 99 of 100 points at most 1.2e7.
 ///
 /// # Origin
 ///

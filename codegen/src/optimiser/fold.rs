@@ -1,8 +1,6 @@
 //! Operations on constants, and with 0 and 1.
 
-use dashu_base::{PowerOfTwo, UnsignedAbs};
-
-use crate::program::{Node, Operation, Program, Rational};
+use crate::program::{Node, Operation, Program, Rational, is_power_of_two};
 
 /// Carries out what is known, and leaves out what changes nothing: x + 0, x·1, x/1, x·0, 0/x, −(−x),
 /// x + (−y), and the signs of constants in products.
@@ -100,9 +98,4 @@ fn folded(program: &mut Program, operation: Operation) -> Node {
         },
         Operation::Input(_) | Operation::Constant(_) => program.push(operation),
     }
-}
-
-fn is_power_of_two(value: &Rational) -> bool {
-    let (above, below) = value.clone().into_parts();
-    above.unsigned_abs().is_power_of_two() && below.is_power_of_two()
 }
