@@ -57,6 +57,8 @@ pub struct Evaluator {
     pub title: String,
     /// What it computes, in a paragraph; may be empty.
     pub description: String,
+    /// The formulas of the outputs, and what they rest on, each as text; may be empty.
+    pub formula: Vec<String>,
     /// The numbers of the equations of the source, without parentheses; may be empty.
     pub equations: Vec<String>,
     /// Where the equations stand; may be empty.
@@ -77,7 +79,7 @@ pub struct Evaluator {
     pub command: String,
     /// The document that it was derived in.
     pub document: String,
-    /// The hash of that document, in hexadecimal digits.
+    /// The SHA-256 of that document, in hexadecimal digits.
     pub hash: String,
     /// What is proven of the text, if anything.
     pub proof: Option<String>,
@@ -93,6 +95,7 @@ impl Evaluator {
             title: name.clone(),
             name,
             description: String::new(),
+            formula: Vec::new(),
             equations: Vec::new(),
             source: String::new(),
             inputs: program.inputs().iter().map(Input::plain).collect(),

@@ -70,6 +70,7 @@ fn nothing_that_a_document_says_leaves_its_comment() {
     evaluator.title = nasty.into();
     evaluator.description = nasty.into();
     evaluator.source = nasty.into();
+    evaluator.formula = vec![nasty.into()];
     evaluator.equations = vec![nasty.into()];
     evaluator.conditions = vec![nasty.into()];
     evaluator.command = nasty.into();

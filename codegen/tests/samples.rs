@@ -53,6 +53,7 @@ pub fn quadratic_form() -> Evaluator {
         so that one constant is a quotient. The word */ does not end a comment of C, nor does \"\"\" end \
         a text of Python, and [brackets] are no link."
         .into();
+    evaluator.formula = vec!["value = x²·a/3 + x·y·b − y²·c/2".into()];
     evaluator.equations = vec!["1".into(), "2".into()];
     evaluator.source = "Written by hand for the tests".into();
     evaluator.inputs[3].quantity = Quantity {

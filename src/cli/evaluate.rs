@@ -39,8 +39,8 @@ pub struct Arguments {
     #[arg(long, value_name = "DOC")]
     document: Option<String>,
 
-    /// List the evaluators with what they need and give
-    #[arg(long, conflicts_with_all = ["name", "set"])]
+    /// List the evaluators, or the one that is named, with what they need and give
+    #[arg(long, conflicts_with = "set")]
     list: bool,
 
     /// How the numbers are written
@@ -62,7 +62,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         return outcome;
     }
     let Some(name) = &arguments.name else {
-        return list(&mut audits, arguments.format);
+        return list(&mut audits, &[], arguments.format);
     };
     let is_there = |audit: &&mut Audit| {
         let mut evaluators = audit.evaluators.iter();
@@ -75,6 +75,10 @@ pub fn run(arguments: &Arguments) -> Outcome {
             .collect();
         return unknown(&format!("there is no evaluator `{name}`"), name, &known);
     };
+    if arguments.list {
+        let name = std::slice::from_ref(name);
+        return list(std::slice::from_mut(audit), name, arguments.format);
+    }
     if !audit.as_expected() {
         return differs(audit);
     }
@@ -94,10 +98,11 @@ pub fn run(arguments: &Arguments) -> Outcome {
     }
 }
 
-fn list(audits: &mut [Audit], format: Results) -> Outcome {
+/// The evaluators of these names; all of them if there are none.
+fn list(audits: &mut [Audit], names: &[String], format: Results) -> Outcome {
     let mut all = Vec::new();
     for audit in audits {
-        match specifications(audit, &[], &[]) {
+        match specifications(audit, names, &[]) {
             Ok(found) => all.extend(found),
             Err(Failure::NoEvaluator) => {}
             Err(failure) => return failed(&failure, audit),

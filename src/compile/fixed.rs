@@ -3,11 +3,12 @@
 use std::str::FromStr;
 
 use crate::algebra::number::{Integer, Rational};
+use crate::derivation::syntax::Name;
 
 /// A quantity and its number: `r = 0.0178`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fixed {
-    /// The ASCII name of the quantity.
+    /// The ASCII name of the quantity, in whichever letters it was written.
     pub name: String,
     /// The number, exactly as it is written.
     pub value: Rational,
@@ -35,7 +36,7 @@ impl FromStr for Fixed {
         }
         let value = number_of(number).ok_or_else(|| Unfixed::Number(number.to_string()))?;
         Ok(Fixed {
-            name: name.to_string(),
+            name: Name::new(name).ascii,
             value,
             text: number.to_string(),
         })
@@ -143,8 +144,10 @@ mod tests {
 
     #[test]
     fn a_name_and_a_number_are_wanted() {
-        let fixed: Fixed = "r = 1/3".parse().expect("it fixes r");
-        assert_eq!((fixed.name.as_str(), fixed.text.as_str()), ("r", "1/3"));
+        for (text, name) in [("r = 1/3", "r"), ("ρ=1/3", "rho")] {
+            let fixed: Fixed = text.parse().expect("a name and a number");
+            assert_eq!((fixed.name.as_str(), fixed.text.as_str()), (name, "1/3"));
+        }
         assert_eq!("r".parse::<Fixed>(), Err(Unfixed::Form));
         assert_eq!("=3".parse::<Fixed>(), Err(Unfixed::Form));
         assert_eq!(

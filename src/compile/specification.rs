@@ -1,6 +1,7 @@
 //! What an evaluator of a document is to compute, and the program that is to compute it.
 
 mod fixing;
+mod formula;
 mod validity;
 
 use validity::Requirement;
@@ -145,6 +146,7 @@ impl Specification {
         let Translated { program, inputs } =
             translate(evaluator, elaborator).map_err(Refusal::Program)?;
         let title = evaluator.description.clone();
+        let formula = formula::of(evaluator, &elaborator.scope);
         let elements = inputs.iter().map(|(symbol, input)| {
             let element = elaborator.ring.element(*symbol);
             (input.name.clone(), element)
@@ -154,6 +156,7 @@ impl Specification {
             name: evaluator.name.ascii.clone(),
             title: title.unwrap_or_else(|| evaluator.name.unicode.clone()),
             description: String::new(),
+            formula,
             equations: equations(&evaluator.label),
             source: audit.title.clone().unwrap_or_default(),
             inputs: inputs.iter().map(|(_, input)| input_of(input)).collect(),

@@ -13,7 +13,7 @@ pub mod evaluation;
 pub mod evaluator;
 pub mod explanation;
 pub mod expression_parser;
-mod foundation;
+pub mod foundation;
 pub mod function;
 pub mod judge;
 pub mod label;

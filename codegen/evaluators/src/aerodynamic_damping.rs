@@ -7,7 +7,8 @@
 //! - Rounding: largest error 5.3e7 units in the last place; at 99 of 100 points at most 23.71.
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
-//! - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
+//! - SHA-256 of the document:
+//!   `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -260,6 +261,27 @@ fn aerodynamic_damping_body<T: Arithmetic>(
 /// Source: He & Macdonald (2017): galloping of a section with three degrees of freedom and an
 /// eccentric mass.
 ///
+/// # Formula
+///
+/// - `S_xx = S_w[1, 1]`
+/// - `S_xy = S_w[1, 2]`
+/// - `S_xθ = S_w[1, 3]`
+/// - `S_yx = S_w[2, 1]`
+/// - `S_yy = S_w[2, 2]`
+/// - `S_yθ = S_w[2, 3]`
+/// - `S_θx = S_w[3, 1]`
+/// - `S_θy = S_w[3, 2]`
+/// - `S_θθ = S_w[3, 3]`
+/// - `S_w := diagonal(1, 1, 1/r)·coefficients·turns·diagonal(1, 1, 1/r)`
+/// - `coefficients := [2·C_D, 2·C_L, C_L′ + C_D, C_L − C_D′, 0, 0; 2·C_L, −2·C_D, C_L − C_D′,
+///   −(C_L′ + C_D), 0, 0; 0, 0, 0, 0, 2·D·C_M, D·C_M′]`
+/// - `turns := [c², c·s, L_a·s_αθγ·c; −c·s, −s², −L_a·s_αθγ·s; s², −c·s, −L_a·c_αθγ·s; c·s,
+///   −c², −L_a·c_αθγ·c; c, s, L_a·s_αθγ; −s, c, L_a·c_αθγ]`
+/// - `c := cos(α_0)`
+/// - `s := sin(α_0)`
+/// - `s_αθγ := sin(α_0 + θ_0 + γ_r)`
+/// - `c_αθγ := cos(α_0 + θ_0 + γ_r)`
+///
 /// # Inputs
 ///
 /// - `r`: Radius of gyration about the elastic centre O, in `m`.
@@ -331,7 +353,8 @@ fn aerodynamic_damping_body<T: Arithmetic>(
 ///
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
-/// - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
+/// - SHA-256 of the document:
+///   `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
 #[must_use]
 pub fn aerodynamic_damping(inputs: &AerodynamicDampingInputs<f64>) -> AerodynamicDampingOutputs<f64> {
     aerodynamic_damping_body(inputs)

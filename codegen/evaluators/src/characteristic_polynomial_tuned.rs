@@ -8,7 +8,8 @@
 //! - Rounding: largest error 1.5e5 units in the last place; at 99 of 100 points at most 21.74.
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
-//! - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
+//! - SHA-256 of the document:
+//!   `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -367,6 +368,34 @@ fn characteristic_polynomial_tuned_body<T: Arithmetic>(
 /// Source: He & Macdonald (2017): galloping of a section with three degrees of freedom and an
 /// eccentric mass.
 ///
+/// # Formula
+///
+/// - `c_0 = coefficient(characteristic(λ), λ, 0) at tuned`
+/// - `c_1 = coefficient(characteristic(λ), λ, 1) at tuned`
+/// - `c_2 = coefficient(characteristic(λ), λ, 2) at tuned`
+/// - `c_3 = coefficient(characteristic(λ), λ, 3) at tuned`
+/// - `c_4 = coefficient(characteristic(λ), λ, 4) at tuned`
+/// - `c_5 = coefficient(characteristic(λ), λ, 5) at tuned`
+/// - `c_6 = 1 at tuned`
+/// - `characteristic(z) := |z²·M_1 + z·C_1 + K_1|/(1 − L_g²/r²)`
+/// - `ω_x at tuned := ω_n`
+/// - `ω_y at tuned := ω_n`
+/// - `ω_θ at tuned := ω_n`
+/// - `M_1 := [1, 0, L_g/r·s_g; 0, 1, L_g/r·c_g; L_g/r·s_g, L_g/r·c_g, 1]`
+/// - `C_1 := diagonal(2·ω_x·ζ_x, 2·ω_y·ζ_y, 2·ω_θ·ζ_θ) + ρ·D·U/(2·m)·S_w`
+/// - `K_1 := diagonal(ω_x², ω_y², ω_θ²)`
+/// - `s_g := sin(α_g + θ_0)`
+/// - `c_g := cos(α_g + θ_0)`
+/// - `S_w := diagonal(1, 1, 1/r)·coefficients·turns·diagonal(1, 1, 1/r)`
+/// - `coefficients := [2·C_D, 2·C_L, C_L′ + C_D, C_L − C_D′, 0, 0; 2·C_L, −2·C_D, C_L − C_D′,
+///   −(C_L′ + C_D), 0, 0; 0, 0, 0, 0, 2·D·C_M, D·C_M′]`
+/// - `turns := [c², c·s, L_a·s_αθγ·c; −c·s, −s², −L_a·s_αθγ·s; s², −c·s, −L_a·c_αθγ·s; c·s,
+///   −c², −L_a·c_αθγ·c; c, s, L_a·s_αθγ; −s, c, L_a·c_αθγ]`
+/// - `c := cos(α_0)`
+/// - `s := sin(α_0)`
+/// - `s_αθγ := sin(α_0 + θ_0 + γ_r)`
+/// - `c_αθγ := cos(α_0 + θ_0 + γ_r)`
+///
 /// # Inputs
 ///
 /// - `m`: Mass per unit length, in `kg/m`.
@@ -456,7 +485,8 @@ fn characteristic_polynomial_tuned_body<T: Arithmetic>(
 ///
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
-/// - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
+/// - SHA-256 of the document:
+///   `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
 #[must_use]
 pub fn characteristic_polynomial_tuned(inputs: &CharacteristicPolynomialTunedInputs<f64>) -> CharacteristicPolynomialTunedOutputs<f64> {
     characteristic_polynomial_tuned_body(inputs)

@@ -10,7 +10,8 @@
 //! - Rounding: largest error 4.2e4 units in the last place; at 99 of 100 points at most 38.28.
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
-//! - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
+//! - SHA-256 of the document:
+//!   `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -240,6 +241,18 @@ fn closed_form_body<T: Arithmetic>(
 /// Source: He & Macdonald (2017): galloping of a section with three degrees of freedom and an
 /// eccentric mass.
 ///
+/// # Formula
+///
+/// - `λ_R1 = λ_1`
+/// - `λ_R2 = λ_2`
+/// - `λ_R3 = λ_3`
+/// - `λ_1 := ρ·D·U/(8·m)·(r/(r − L_g))·(d_1 + d_2)`
+/// - `λ_2 := −ρ·D·U/(4·m)·(S_xx + S_yy + S_θθ + d_1)`
+/// - `λ_3 := ρ·D·U/(8·m)·(r/(r + L_g))·(d_1 − d_2)`
+/// - `d_1 := −(S_xx·sin(α_g + θ_0)² + S_yy·cos(α_g + θ_0)² + (S_xy + S_yx)·sin(α_g +
+///   θ_0)·cos(α_g + θ_0) + S_θθ)`
+/// - `d_2 := (S_θy + S_yθ)·cos(α_g + θ_0) + (S_xθ + S_θx)·sin(α_g + θ_0)`
+///
 /// # Inputs
 ///
 /// - `m`: Mass per unit length, in `kg/m`.
@@ -308,7 +321,8 @@ fn closed_form_body<T: Arithmetic>(
 ///
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
-/// - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
+/// - SHA-256 of the document:
+///   `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
 #[must_use]
 pub fn closed_form(inputs: &ClosedFormInputs<f64>) -> ClosedFormOutputs<f64> {
     closed_form_body(inputs)

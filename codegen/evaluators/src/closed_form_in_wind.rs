@@ -10,7 +10,8 @@
 //! - Rounding: largest error 2.1e5 units in the last place; at 99 of 100 points at most 64.85.
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
-//! - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
+//! - SHA-256 of the document:
+//!   `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -300,6 +301,33 @@ fn closed_form_in_wind_body<T: Arithmetic>(
 /// Source: He & Macdonald (2017): galloping of a section with three degrees of freedom and an
 /// eccentric mass.
 ///
+/// # Formula
+///
+/// - `λ_R1 = λ_1 at in_wind`
+/// - `λ_R2 = λ_2 at in_wind`
+/// - `λ_R3 = λ_3 at in_wind`
+/// - `λ_1 := ρ·D·U/(8·m)·(r/(r − L_g))·(d_1 + d_2)`
+/// - `S_xx at in_wind := S_w[1, 1]`
+/// - `S_xy at in_wind := S_w[1, 2]`
+/// - `S_xθ at in_wind := S_w[1, 3]`
+/// - `S_yx at in_wind := S_w[2, 1]`
+/// - `S_yy at in_wind := S_w[2, 2]`
+/// - `S_yθ at in_wind := S_w[2, 3]`
+/// - `S_θx at in_wind := S_w[3, 1]`
+/// - `S_θy at in_wind := S_w[3, 2]`
+/// - `S_θθ at in_wind := S_w[3, 3]`
+/// - `λ_2 := −ρ·D·U/(4·m)·(S_xx + S_yy + S_θθ + d_1)`
+/// - `λ_3 := ρ·D·U/(8·m)·(r/(r + L_g))·(d_1 − d_2)`
+/// - `d_1 := −(S_xx·sin(α_g + θ_0)² + S_yy·cos(α_g + θ_0)² + (S_xy + S_yx)·sin(α_g +
+///   θ_0)·cos(α_g + θ_0) + S_θθ)`
+/// - `d_2 := (S_θy + S_yθ)·cos(α_g + θ_0) + (S_xθ + S_θx)·sin(α_g + θ_0)`
+/// - `S_w := diagonal(1, 1, 1/r)·coefficients·turns·diagonal(1, 1, 1/r)`
+/// - `coefficients := [2·C_D, 2·C_L, C_L′ + C_D, C_L − C_D′, 0, 0; 2·C_L, −2·C_D, C_L − C_D′,
+///   −(C_L′ + C_D), 0, 0; 0, 0, 0, 0, 2·D·C_M, D·C_M′]`
+/// - `turns := [c², c·s, L_a·s_αθγ·c; −c·s, −s², −L_a·s_αθγ·s; s², −c·s, −L_a·c_αθγ·s; c·s,
+///   −c², −L_a·c_αθγ·c; c, s, L_a·s_αθγ; −s, c, L_a·c_αθγ]`
+/// - `…`
+///
 /// # Inputs
 ///
 /// - `m`: Mass per unit length, in `kg/m`.
@@ -373,7 +401,8 @@ fn closed_form_in_wind_body<T: Arithmetic>(
 ///
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
-/// - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
+/// - SHA-256 of the document:
+///   `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
 #[must_use]
 pub fn closed_form_in_wind(inputs: &ClosedFormInWindInputs<f64>) -> ClosedFormInWindOutputs<f64> {
     closed_form_in_wind_body(inputs)

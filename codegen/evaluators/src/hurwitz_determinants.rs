@@ -7,7 +7,8 @@
 //! - Rounding: largest error 8.6e6 units in the last place; at 99 of 100 points at most 63.65.
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
-//! - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
+//! - SHA-256 of the document:
+//!   `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -135,6 +136,16 @@ fn hurwitz_determinants_body<T: Arithmetic>(
 /// Source: He & Macdonald (2017): galloping of a section with three degrees of freedom and an
 /// eccentric mass.
 ///
+/// # Formula
+///
+/// - `H_1 = hurwitz(monic, λ, 1)`
+/// - `H_2 = hurwitz(monic, λ, 2)`
+/// - `H_3 = hurwitz(monic, λ, 3)`
+/// - `H_4 = hurwitz(monic, λ, 4)`
+/// - `H_5 = hurwitz(monic, λ, 5)`
+/// - `H_6 = hurwitz(monic, λ, 6)`
+/// - `monic := λ⁶ + c_5·λ⁵ + c_4·λ⁴ + c_3·λ³ + c_2·λ² + c_1·λ + c_0`
+///
 /// # Inputs
 ///
 /// - `c_0`: Coefficient of λ⁰, in `1/s⁶`.
@@ -183,7 +194,8 @@ fn hurwitz_determinants_body<T: Arithmetic>(
 ///
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
-/// - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
+/// - SHA-256 of the document:
+///   `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
 #[must_use]
 pub fn hurwitz_determinants(inputs: &HurwitzDeterminantsInputs<f64>) -> HurwitzDeterminantsOutputs<f64> {
     hurwitz_determinants_body(inputs)

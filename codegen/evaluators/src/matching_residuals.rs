@@ -7,7 +7,8 @@
 //! - Rounding: largest error 2.8e10 units in the last place; at 99 of 100 points at most 1.5e7.
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
-//! - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
+//! - SHA-256 of the document:
+//!   `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -326,6 +327,31 @@ fn matching_residuals_body<T: Arithmetic>(
 /// Source: He & Macdonald (2017): galloping of a section with three degrees of freedom and an
 /// eccentric mass.
 ///
+/// # Formula
+///
+/// - `R = [coefficient(p − matched, λ, 4); coefficient(p − matched, λ, 3); coefficient(p −
+///   matched, λ, 2)]`
+/// - `p := |state − λ·identity(6)|`
+/// - `matched := assumed at closed_form`
+/// - `state := [zero(3, 3), identity(3); −inverse(M)·K_n, −inverse(M)·C]`
+/// - `assumed := (λ² + b_1·λ + r/(r − L_g)·ω_n²)·(λ² + b_2·λ + ω_n²)·(λ² + b_3·λ + r/(r +
+///   L_g)·ω_n²)`
+/// - `b_1 at closed_form := r·ρ·D·U·(cos(α_g + θ_0)²·S_yy + cos(α_g + θ_0)·sin(α_g + θ_0)·S_xy
+///   + cos(α_g + θ_0)·sin(α_g + θ_0)·S_yx − cos(α_g + θ_0)·S_yθ − cos(α_g + θ_0)·S_θy + sin(α_g
+///   + θ_0)²·S_xx − sin(α_g + θ_0)·S_xθ − sin(α_g + θ_0)·S_θx + S_θθ)/(4·m·(r − L_g))`
+/// - `b_2 at closed_form := ρ·D·U·(cos(α_g + θ_0)²·S_xx − cos(α_g + θ_0)·sin(α_g + θ_0)·S_xy −
+///   cos(α_g + θ_0)·sin(α_g + θ_0)·S_yx + sin(α_g + θ_0)²·S_yy)/(2·m)`
+/// - `b_3 at closed_form := r·ρ·D·U·(cos(α_g + θ_0)²·S_yy + cos(α_g + θ_0)·sin(α_g + θ_0)·S_xy
+///   + cos(α_g + θ_0)·sin(α_g + θ_0)·S_yx + cos(α_g + θ_0)·S_yθ + cos(α_g + θ_0)·S_θy + sin(α_g
+///   + θ_0)²·S_xx + sin(α_g + θ_0)·S_xθ + sin(α_g + θ_0)·S_θx + S_θθ)/(4·m·(r + L_g))`
+/// - `M := m·[1, 0, L_g·s_g; 0, 1, L_g·c_g; L_g·s_g, L_g·c_g, r²]`
+/// - `K_n := ω_n²·diagonal(m, m, m·r²)`
+/// - `C := ρ·D·U/2·scale·S·scale`
+/// - `s_g := sin(α_g + θ_0)`
+/// - `c_g := cos(α_g + θ_0)`
+/// - `scale := diagonal(1, 1, r)`
+/// - `S := [S_xx, S_xy, S_xθ; S_yx, S_yy, S_yθ; S_θx, S_θy, S_θθ]`
+///
 /// # Inputs
 ///
 /// - `m`: Mass per unit length, in `kg/m`.
@@ -397,7 +423,8 @@ fn matching_residuals_body<T: Arithmetic>(
 ///
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
-/// - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
+/// - SHA-256 of the document:
+///   `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
 #[must_use]
 pub fn matching_residuals(inputs: &MatchingResidualsInputs<f64>) -> MatchingResidualsOutputs<f64> {
     matching_residuals_body(inputs)

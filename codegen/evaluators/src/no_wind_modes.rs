@@ -8,7 +8,8 @@
 //! - Rounding: largest error 3.71 units in the last place; at 99 of 100 points at most 2.20.
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
-//! - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
+//! - SHA-256 of the document:
+//!   `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -179,6 +180,19 @@ fn no_wind_modes_body<T: Arithmetic>(
 /// Source: He & Macdonald (2017): galloping of a section with three degrees of freedom and an
 /// eccentric mass.
 ///
+/// # Formula
+///
+/// - `Ω = [Ω_1; Ω_2; Ω_3]`
+/// - `φ = [φ_1, φ_2, φ_3]`
+/// - `Ω_1 := r/(r − L_g)·ω_n²`
+/// - `Ω_2 := ω_n²`
+/// - `Ω_3 := r/(r + L_g)·ω_n²`
+/// - `φ_1 := [−r·s_g; −r·c_g; 1]`
+/// - `φ_2 := [−c_g; s_g; 0]`
+/// - `φ_3 := [r·s_g; r·c_g; 1]`
+/// - `s_g := sin(α_g + θ_0)`
+/// - `c_g := cos(α_g + θ_0)`
+///
 /// # Inputs
 ///
 /// - `r`: Radius of gyration about the elastic centre O, in `m`.
@@ -246,7 +260,8 @@ fn no_wind_modes_body<T: Arithmetic>(
 ///
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
-/// - Hash of the document: `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
+/// - SHA-256 of the document:
+///   `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
 #[must_use]
 pub fn no_wind_modes(inputs: &NoWindModesInputs<f64>) -> NoWindModesOutputs<f64> {
     no_wind_modes_body(inputs)

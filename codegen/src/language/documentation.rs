@@ -120,6 +120,8 @@ pub fn function(evaluator: &Evaluator, parts: &Parts<'_>, comments: &Comments) -
         let source = format!("Source: {}", flat(&evaluator.source));
         paragraph(None, wrapped(&comments.prose(&sentence(&source)), "", ""));
     }
+    let formula = evaluator.formula.iter().map(|line| comments.code(line));
+    paragraph(Some("Formula"), listed(formula));
     let item = |name: &str, what: &Quantity| format!("`{name}`: {}.", quantity(what, comments));
     let inputs = parts.inputs.iter();
     let inputs = inputs.map(|(name, input)| item(name, &input.quantity));
@@ -267,7 +269,7 @@ pub fn origin(evaluator: &Evaluator, comments: &Comments) -> Vec<String> {
     let parts = [
         ("Command", &evaluator.command),
         ("Document", &evaluator.document),
-        ("Hash of the document", &evaluator.hash),
+        ("SHA-256 of the document", &evaluator.hash),
     ];
     let known = parts.into_iter().filter(|(_, text)| !text.is_empty());
     listed(known.map(|(what, text)| format!("{what}: {}", comments.code(text))))
