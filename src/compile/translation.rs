@@ -147,6 +147,29 @@ impl<'a> Translator<'a> {
         found
     }
 
+    /// A name or a small sum such as n + 1 with what the callers wrote for the arguments in it.
+    fn passed(&self, expression: &Expression, frame: usize) -> Expression {
+        let passed = |part: &Expression| Box::new(self.passed(part, frame));
+        let node = match &expression.node {
+            Syntax::Name(name) => {
+                let Frame { arguments, caller } = &self.frames[frame];
+                match arguments.get(&name.ascii) {
+                    Some(argument) => return self.passed(argument, *caller),
+                    None => return expression.clone(),
+                }
+            }
+            Syntax::Negative(inner) => Syntax::Negative(passed(inner)),
+            Syntax::Binary(operator, left, right) => {
+                Syntax::Binary(*operator, passed(left), passed(right))
+            }
+            _ => return expression.clone(),
+        };
+        Expression {
+            node,
+            span: expression.span.clone(),
+        }
+    }
+
     fn structure(&mut self, expression: &Expression, context: Context) -> Result<Table, Obstacle> {
         match &expression.node {
             Syntax::Number(number) => {

@@ -66,6 +66,15 @@ fn the_meaning_is_kept() {
             "parameter a, b, z : 1\nevaluator (1) e: y = coefficient((a*z + b)^2, z, 1)",
             vec![12.0],
         ),
+        // What a call passes on may be a power, a place or the variable itself.
+        (
+            "parameter a, b, z : 1\nc(p, x, n) := coefficient(p, x, n)\nf(n) := c(z^(n + 1)*a + b*z, z, n)\nevaluator (1) e: y = f(1)",
+            vec![2.0],
+        ),
+        (
+            "parameter a, b : 1\nf(n) := [a; b][n]^n\nevaluator (1) e: y = f(2)",
+            vec![4.0],
+        ),
         (
             "parameter a, b, z : 1\nevaluator (1) e: y = det([a, b; 1, a])*trace([a, 1; 1, b])",
             vec![5.0],

@@ -8,7 +8,7 @@ use sextic_codegen::program::{Operation, Program};
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::determinant::determinant;
 use crate::algebra::matrix::Matrix;
-use crate::derivation::syntax::{Expression, Node as Syntax};
+use crate::derivation::syntax::Expression;
 
 use super::{Context, Obstacle, Polynomial, Table, Translator, divisor, scalar};
 
@@ -124,7 +124,7 @@ impl Translator<'_> {
         let table = self.table(matrix, context)?;
         let mut places = Vec::new();
         for index in indices {
-            places.push(self.natural(index)?);
+            places.push(self.natural(index, context)?);
         }
         let (row, column) = match places[..] {
             [row, column] => (row, column),
@@ -139,8 +139,10 @@ impl Translator<'_> {
         }
     }
 
-    fn natural(&mut self, expression: &Expression) -> Result<usize, Obstacle> {
-        let natural = self.elaborator.natural(expression);
+    fn natural(&mut self, expression: &Expression, context: Context) -> Result<usize, Obstacle> {
+        let natural = self
+            .elaborator
+            .natural(&self.passed(expression, context.frame));
         natural.map_err(|error| Obstacle::Refused(error.message))
     }
 
@@ -186,20 +188,14 @@ impl Translator<'_> {
                 }))
             }
             ("coefficient", [polynomial, variable, power]) => {
-                let Syntax::Name(variable) = &variable.node else {
-                    return Err(Obstacle::Structure);
-                };
-                let power = self.natural(power)? as u32;
+                let power = self.natural(power, context)? as u32;
                 let inside = self.with_variable(variable, context)?;
                 let coefficient = self.single(polynomial, inside)?.coefficient(power);
                 let coefficient = coefficient.map(|node| Polynomial::monomial(0, node));
                 Ok(scalar(coefficient.unwrap_or_default()))
             }
             ("hurwitz", [polynomial, variable, size]) => {
-                let Syntax::Name(variable) = &variable.node else {
-                    return Err(Obstacle::Structure);
-                };
-                let size = self.natural(size)?;
+                let size = self.natural(size, context)?;
                 let inside = self.with_variable(variable, context)?;
                 let polynomial = self.single(polynomial, inside)?;
                 if size == 0 {

@@ -41,7 +41,8 @@ impl Translator<'_> {
         exponent: &Expression,
         context: Context,
     ) -> Result<Table, Obstacle> {
-        let exponent = self.elaborator.scalar(exponent);
+        let exponent = self.passed(exponent, context.frame);
+        let exponent = self.elaborator.scalar(&exponent);
         let exponent = exponent.map_err(|error| Obstacle::Refused(error.message))?;
         let exponent = exponent.value.as_constant();
         let whole = exponent.filter(Rational::is_int);

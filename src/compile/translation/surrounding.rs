@@ -9,7 +9,7 @@ use crate::algebra::symbol::Symbol;
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::presentation::Presenter;
 use crate::derivation::scope::Meaning;
-use crate::derivation::syntax::{Expression, Name, Node as Syntax, Place, Replacement};
+use crate::derivation::syntax::{Expression, Node as Syntax, Place, Replacement};
 
 use super::{Obstacle, Table, Translator, scalar};
 
@@ -112,15 +112,18 @@ impl Translator<'_> {
     /// The context in which the powers of a variable are kept apart.
     pub(super) fn with_variable(
         &mut self,
-        name: &Name,
+        variable: &Expression,
         context: Context,
     ) -> Result<Context, Obstacle> {
+        let Syntax::Name(name) = self.passed(variable, context.frame).node else {
+            return Err(Obstacle::Structure);
+        };
         let mut inside = self.surroundings[context.surrounding].clone();
         if inside.variable.is_some() {
             return Err(Obstacle::Structure);
         }
         inside.replaced.remove(&name.ascii);
-        inside.variable = Some(name.ascii.clone());
+        inside.variable = Some(name.ascii);
         Ok(self.inside(inside, context))
     }
 
