@@ -122,7 +122,8 @@ fn number(term: &Term) -> Option<Rational> {
     }
 }
 
-/// The sum of angles that a term is.
+/// The sum of angles that a term is, if doubles give it too: whole factors, and no angle that is added and
+/// taken away again. A large multiple that cancels takes all digits with it.
 fn sum(term: &Term, known: &BTreeMap<&str, Sum>) -> Result<Sum, Reason> {
     let scaled = |factor: Rational, term: &Term| -> Result<Sum, Reason> {
         let mut scaled = sum(term, known)?;
@@ -133,10 +134,13 @@ fn sum(term: &Term, known: &BTreeMap<&str, Sum>) -> Result<Sum, Reason> {
     };
     let together = |mut left: Sum, right: Sum| {
         for (angle, count) in right {
-            *left.entry(angle).or_default() += count;
+            let known = left.entry(angle).or_default();
+            if known.clone() * count.clone() < Rational::ZERO {
+                return Err(Reason::Interface("an angle that cancels".into()));
+            }
+            *known += count;
         }
-        left.retain(|_, count| *count != Rational::ZERO);
-        left
+        Ok(left)
     };
     match term {
         Term::Name(name) => {
@@ -144,11 +148,11 @@ fn sum(term: &Term, known: &BTreeMap<&str, Sum>) -> Result<Sum, Reason> {
             angle.ok_or_else(|| Reason::Name(format!("`{name}` is not assigned before")))
         }
         Term::Negative(a) => scaled(-Rational::ONE, a),
-        Term::Add(a, b) => Ok(together(sum(a, known)?, sum(b, known)?)),
-        Term::Subtract(a, b) => Ok(together(sum(a, known)?, scaled(-Rational::ONE, b)?)),
+        Term::Add(a, b) => together(sum(a, known)?, sum(b, known)?),
+        Term::Subtract(a, b) => together(sum(a, known)?, scaled(-Rational::ONE, b)?),
         Term::Multiply(a, b) => match (number(a), number(b)) {
-            (Some(factor), None) => scaled(factor, b),
-            (None, Some(factor)) => scaled(factor, a),
+            (Some(factor), None) if factor.is_int() => scaled(factor, b),
+            (None, Some(factor)) if factor.is_int() => scaled(factor, a),
             _ => Err(Reason::Interface("a product that is no angle".into())),
         },
         Term::Number(_) | Term::Divide(..) | Term::SquareRoot(_) => Err(Reason::Interface(

@@ -523,6 +523,12 @@ fn angles_are_followed() {
             ("2.0 * beta", "2.0 * alpha", false),
             ("2.0 * beta", "-2.0 * beta", false),
             ("2.0 * beta", "2.0 * beta * beta", false),
+            (
+                "2.0 * beta",
+                "(1.0e300 * beta + 2.0 * beta - 1.0e300 * beta)",
+                false,
+            ),
+            ("2.0 * beta", "0.5 * (4.0 * beta)", false),
             ("gamma", "gamma - alpha", false),
             ("0.3", "0.4", false),
             ("0.3", "0.30000000000000001", true),
