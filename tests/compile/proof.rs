@@ -207,6 +207,11 @@ fn nothing_is_hidden_from_a_reader() {
         ),
         (
             Language::C,
+            "/* No two of them overlap. */",
+            "/* *\\\r/ inputs = 0; /* */",
+        ),
+        (
+            Language::C,
             "#include <math.h>",
             "#include <math.h>\n#define a b",
         ),

@@ -95,10 +95,12 @@ impl<'a> Scanner<'a> {
         self.skip(length);
     }
 
-    /// A line that ends in a backslash goes on in the next one, even inside of `*/`.
+    /// A line that ends in a backslash goes on in the next one, even inside of `*/`. To some compilers a
+    /// carriage return ends a line.
     fn refuse_continued_lines(&mut self) -> Result<(), Unreadable> {
         for line in self.text.lines() {
-            if line.trim_end().ends_with('\\') || line.contains("??") {
+            let is_continued = line.split('\r').any(|part| part.trim_end().ends_with('\\'));
+            if is_continued || line.contains("??") {
                 return Err(self.refuse("a line that is continued, or a trigraph"));
             }
             self.line += 1;
