@@ -109,6 +109,37 @@ fn renamed_quantities_are_followed() {
     }
 }
 
+/// Words that the texts use themselves: a printer that did not rename them would be refused by a reader.
+#[test]
+fn quantities_may_be_called_as_anything_in_a_text() {
+    for name in [
+        "angles", "inputs", "outputs", "shape", "cls", "np", "at", "result", "point", "points",
+        "start", "T", "N", "FUSED", "Batch", "self", "t1",
+    ] {
+        let mut program = Program::new([name.to_owned()]);
+        let input = program.input(name).unwrap();
+        let square = program.push(Operation::Multiply(input, input));
+        program.output("square", square);
+        let mut ring = Ring::new(Budget::unlimited());
+        let generator = Generator::Constant {
+            name: name.to_owned(),
+        };
+        let symbol = ring.symbol(generator).unwrap();
+        let element = ring.element(symbol);
+        let square = ring.product(&element, &element).unwrap();
+        let specification = Specification::new(
+            Evaluator::plain("f", program),
+            vec![(name.to_owned(), element)],
+            vec![("square".to_owned(), square)],
+        );
+        for language in Language::ALL {
+            let files = files_of(&specification, language);
+            let proof = prove_files(&files, &specification, language, &mut ring);
+            assert!(proof.is_ok(), "{language}, {name}: {proof:?}");
+        }
+    }
+}
+
 #[test]
 fn a_doubt_says_where_and_what() {
     let mut sample = Sample::new();

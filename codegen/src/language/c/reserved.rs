@@ -2,7 +2,7 @@
 
 /// Keywords of C up to 2023 and of C++ (the header is for both), and macros that a compiler or the
 /// included headers define.
-pub(super) const RESERVED: [&str; 158] = [
+pub(super) const RESERVED: [&str; 159] = [
     "DBL_DECIMAL_DIG",
     "DBL_DIG",
     "DBL_EPSILON",
@@ -44,6 +44,7 @@ pub(super) const RESERVED: [&str; 158] = [
     "alignof",
     "and",
     "and_eq",
+    "angles",
     "asm",
     "auto",
     "bitand",
