@@ -191,6 +191,20 @@ fn what_cannot_be_written_is_an_error() {
 }
 
 #[test]
+fn what_is_renamed_never_takes_the_name_of_another() {
+    let mut program = Program::new(["double", "double_"].map(str::to_owned));
+    let [a, b] = ["double", "double_"].map(|name| program.input(name).unwrap());
+    let sum = program.push(Operation::Add(a, b));
+    program.output("y", sum);
+    let files = emit(&[Evaluator::plain("f", program)], Language::C).unwrap();
+    let header = files.into_iter().find(|file| file.path == "f.h").unwrap();
+    for name in ["double_;", "double__;"] {
+        let field = format!("    double {name}");
+        assert_eq!(header.text.matches(&field).count(), 1, "{name}");
+    }
+}
+
+#[test]
 fn unsafe_names_are_renamed_and_say_so() {
     for (language, path, names) in [
         (Language::Rust, "match_.rs", ["t1_", "fn_"]),
