@@ -37,7 +37,7 @@ impl Quantity {
 /// How far the strict evaluation was from the exact one, as measured.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rounding {
-    /// Over how many points.
+    /// At how many points every output has an exact value, at least.
     pub points: usize,
     /// Where they were drawn.
     pub domain: String,

@@ -18,7 +18,6 @@ use domain::Sampler;
 pub use domain::{Domain, Interval};
 use double_double::Pairs;
 use evaluation::Doubles;
-pub(crate) use evaluation::all_values;
 pub use evaluation::{evaluate, evaluate_closely, evaluate_exactly};
 pub use unit::units;
 
@@ -77,6 +76,7 @@ pub fn measure(
     };
     let mut errors = measurement.on_threads(points, evaluator.outputs.len());
     let (mut largest, mut percentile_99) = (Vec::new(), Vec::new());
+    let points = errors.iter().map(Vec::len).min().unwrap_or(0);
     for errors in &mut errors {
         errors.sort_by(f64::total_cmp);
         let most = (99 * errors.len()).div_ceil(100).checked_sub(1);

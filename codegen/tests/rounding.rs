@@ -104,6 +104,36 @@ fn roots_that_are_rational_are_exact() {
 }
 
 #[test]
+fn points_without_a_value_do_not_count() {
+    // √(a − b)/(a − b) has a value where a > b: at half of the points.
+    let mut program = Program::new(["a".to_owned(), "b".to_owned()]);
+    let (a, b) = (program.input("a").unwrap(), program.input("b").unwrap());
+    let difference = program.push(Operation::Subtract(a, b));
+    let root = program.push(Operation::SquareRoot(difference));
+    let quotient = program.push(Operation::Divide(root, difference));
+    program.output("x", quotient);
+    let evaluator = Evaluator::plain("half", program);
+    let found = measure(&evaluator, &domain(&evaluator, 0, 1), 1000, 1).unwrap();
+    assert!((400..600).contains(&found.points), "{}", found.points);
+}
+
+#[test]
+fn one_point_of_a_hundred_is_beyond_the_percentile() {
+    let mut program = Program::new(["a".to_owned(), "b".to_owned()]);
+    let (a, b) = (program.input("a").unwrap(), program.input("b").unwrap());
+    let product = program.push(Operation::Multiply(a, b));
+    program.output("x", product);
+    let evaluator = Evaluator::plain("product", program);
+    let found = measure(&evaluator, &domain(&evaluator, 1, 2), 20_000, 1).unwrap();
+    // Evenly spread over half a unit: 99 of 100 are within 0.495 units.
+    let (most, largest) = (found.percentile_99[0], found.largest[0]);
+    assert!(
+        (0.49..0.5).contains(&most) && largest <= 0.5,
+        "{most} {largest}"
+    );
+}
+
+#[test]
 fn what_cannot_be_measured_is_an_error() {
     let evaluator = samples::determinant();
     let failed = |domain: &Domain| measure(&evaluator, domain, 10, 1).unwrap_err();

@@ -90,7 +90,7 @@ pub fn write(folder: &Path, files: &[File], force: bool) -> Result<Written, Trou
             .map_err(|error| Trouble::Disk(path, error.error))?;
         written.changed += 1;
     }
-    written.stale = stale(folder, files).map_err(at(folder))?;
+    written.stale = others(folder, files).map_err(at(folder))?.stale;
     Ok(written)
 }
 
@@ -112,32 +112,45 @@ pub fn state(path: &Path, text: &str) -> io::Result<State> {
     }
 }
 
-/// Generated files of a folder that are none of these.
+/// What else is in a folder of generated files.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Others {
+    /// Generated files that are none of these.
+    pub stale: Vec<String>,
+    /// What was not generated, and is called like one of these but for its ending: a folder
+    /// `closed_form` is preferred to `closed_form.py`, and `closed_form.h.gch` to `closed_form.h`.
+    pub namesakes: Vec<String>,
+}
+
+/// What else is in a folder than these files.
 ///
 /// # Errors
 ///
 /// If the folder cannot be read.
-pub fn stale(folder: &Path, files: &[File]) -> io::Result<Vec<String>> {
+pub fn others(folder: &Path, files: &[File]) -> io::Result<Others> {
+    let mut others = Others::default();
     let entries = match fs::read_dir(folder) {
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(others),
         entries => entries?,
     };
-    let mut stale = Vec::new();
+    let stem = |name: &str| name.split('.').next().map(str::to_string);
     for entry in entries {
         let entry = entry?;
         let Ok(name) = entry.file_name().into_string() else {
             continue;
         };
-        if name.starts_with(STAGED) {
+        if name.starts_with(STAGED) || files.iter().any(|file| file.path == name) {
             continue;
         }
-        let is_wanted = files.iter().any(|file| file.path == name);
-        if !is_wanted && entry.file_type()?.is_file() && is_generated(&entry.path())? {
-            stale.push(name);
+        if entry.file_type()?.is_file() && is_generated(&entry.path())? {
+            others.stale.push(name);
+        } else if files.iter().any(|file| stem(&file.path) == stem(&name)) {
+            others.namesakes.push(name);
         }
     }
-    stale.sort();
-    Ok(stale)
+    others.stale.sort();
+    others.namesakes.sort();
+    Ok(others)
 }
 
 /// Removes what an interrupted run left; if that cannot be, it stays.

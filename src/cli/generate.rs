@@ -22,9 +22,10 @@ use super::source::audit_all;
 /// Writes what a document derives as source text, proven equal to the derivation
 ///
 /// Every evaluator of the document becomes a file (in C two): a function of named inputs with its
-/// documentation, a twin that bounds its own rounding error, and one for many points at once. The text is
-/// read back by a parser of its own and executed over the exact algebra of the document before it is
-/// written; its header says what was proven and how far its rounding goes.
+/// documentation, one for many points at once, and, but for Python, whose functions take arrays anyway, a
+/// twin that bounds its own rounding error. The text is read back by a parser of its own and executed over
+/// the exact algebra of the document before it is written; its header says what was proven and how far its
+/// rounding goes.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
@@ -186,12 +187,14 @@ fn summary(written: &Written, out: &Path) -> String {
 }
 
 /// Proves the files as they stand on the disk, and compares them with what would be written.
+///
+/// What the evaluators share is not derived, and not proven: it has to be what would be written.
 fn check(generated: &Generated, audit: &mut Audit, arguments: &Arguments) -> Outcome {
-    let mut outcome = Outcome::AsExpected;
     let (mut found, mut lines): (Vec<File>, Vec<String>) = (Vec::new(), Vec::new());
+    let mut changed_support: Vec<&str> = Vec::new();
     for file in &generated.files {
         let path = arguments.out.join(&file.path);
-        let line = match folder::state(&path, &file.text) {
+        match folder::state(&path, &file.text) {
             Err(error) => {
                 return wrong(
                     &format!("`{}` cannot be read: {error}", path.display()),
@@ -203,49 +206,64 @@ fn check(generated: &Generated, audit: &mut Audit, arguments: &Arguments) -> Out
                 continue;
             }
             Ok(State::Different(text)) => {
-                let line = text::difference(&file.path, &text, &file.text);
+                lines.push(text::difference(&file.path, &text, &file.text));
                 found.push(File {
                     path: file.path.clone(),
                     text,
                 });
-                line
             }
-            Ok(State::Missing) => format!("{} is missing\n", file.path),
-        };
-        outcome = Outcome::Differs;
-        lines.push(line);
+            Ok(State::Missing) => lines.push(format!("{} is missing\n", file.path)),
+        }
+        if generated.is_shared(file) {
+            changed_support.push(&file.path);
+        }
     }
+    let is_same = lines.is_empty();
     let mut report = String::new();
+    let mut are_proven = true;
     for specification in &generated.specifications {
         let name = &specification.evaluator.name;
         audit.elaborator.fresh();
         let ring = &mut audit.elaborator.ring;
-        match prove_files(&found, specification, arguments.language, ring) {
-            Ok(proof) => report.push_str(&format!("{name}: proven. {proof}\n")),
-            Err(doubt) => {
-                outcome = Outcome::Differs;
-                report.push_str(&format!("{name}: NOT proven: {doubt}\n"));
+        let doubt = match prove_files(&found, specification, arguments.language, ring) {
+            Ok(proof) if changed_support.is_empty() => {
+                report.push_str(&format!("{name}: proven. {proof}\n"));
+                continue;
             }
-        }
+            Ok(_) => format!("it rests on {}, see below", changed_support.join(", ")),
+            Err(doubt) => doubt.to_string(),
+        };
+        are_proven = false;
+        report.push_str(&format!("{name}: NOT proven: {doubt}\n"));
     }
     lines.iter().for_each(|line| report.push_str(line));
-    match folder::stale(&arguments.out, &generated.files) {
-        Ok(stale) => {
-            for name in stale {
-                outcome = Outcome::Differs;
-                report.push_str(&format!(
-                    "{name} was generated, but this command does not write it\n"
-                ));
-            }
+    let others = match folder::others(&arguments.out, &generated.files) {
+        Ok(others) => others,
+        Err(error) => {
+            return wrong(
+                &format!("`{}` cannot be read: {error}", arguments.out.display()),
+                "name the folder of the files with `--out`",
+            );
         }
-        Err(error) => complain(&format!(
-            "`{}` cannot be read: {error}\n",
-            arguments.out.display()
-        )),
+    };
+    let is_alone = others.stale.is_empty() && others.namesakes.is_empty();
+    for name in others.stale {
+        report.push_str(&format!(
+            "{name} was generated, but this command does not write it\n"
+        ));
     }
+    for name in others.namesakes {
+        report.push_str(&format!(
+            "{name} may be taken for a file of this command by a compiler or Python\n"
+        ));
+    }
+    let outcome = match is_same && are_proven && is_alone {
+        true => Outcome::AsExpected,
+        false => Outcome::Differs,
+    };
     report.push_str(match outcome {
         Outcome::AsExpected => "All files are as this command writes them.\n",
-        _ => "The same command without `--check` writes them anew.\n",
+        _ => "The same command without `--check` writes its files anew.\n",
     });
     finish(&report, outcome)
 }
@@ -266,6 +284,10 @@ pub(super) fn refuse(failure: &Failure, audit: &Audit, arguments: &Arguments) ->
             known,
         ),
         Failure::Refused(evaluator, refusal) => refused(evaluator, refusal, audit),
+        Failure::NoPoint(evaluator) => wrong(
+            &format!("`{evaluator}` has no value at any point of the domain that is drawn"),
+            "fix less, or state another `domain`: a divisor is 0 there, or a root imaginary",
+        ),
         Failure::Language(error) => wrong(
             &format!("this cannot be written in {}: {error}", arguments.language),
             "rename it in the document, fix less, or give numbers that a double can hold",

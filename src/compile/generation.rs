@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use sextic_codegen::evaluator::Evaluator as Emitted;
 use sextic_codegen::language::{self, File, Language};
-use sextic_codegen::rounding::{self, Domain, Interval};
+use sextic_codegen::rounding::{self, Domain, Interval, Unmeasured};
 
 use crate::derivation::audit::Audit;
 use crate::derivation::evaluator::Evaluator;
@@ -73,6 +73,15 @@ pub struct Generated {
     pub files: Vec<File>,
 }
 
+impl Generated {
+    /// Whether a file belongs to no evaluator alone.
+    pub fn is_shared(&self, file: &File) -> bool {
+        let stem = file.path.split('.').next();
+        let mut evaluators = self.specifications.iter();
+        !evaluators.any(|specification| Some(specification.evaluator.name.as_str()) == stem)
+    }
+}
+
 /// Why nothing was generated.
 #[derive(Clone, Debug)]
 pub enum Failure {
@@ -84,6 +93,8 @@ pub enum Failure {
     UnknownQuantity(String, Vec<String>),
     /// An evaluator cannot be compiled.
     Refused(String, Refusal),
+    /// An output of an evaluator has no value at any point of the domain.
+    NoPoint(String),
     /// An evaluator cannot be written in this language.
     Language(language::Error),
     /// The text of an evaluator is not proven: a mistake of this program.
@@ -108,7 +119,13 @@ pub fn generate(
             report(&format!("measuring the rounding of {}", evaluator.name));
             let domain = domain(evaluator, audit);
             // Without an interval for every input there is no figure, which the text says.
-            evaluator.rounding = rounding::measure(evaluator, &domain, order.points, SEED).ok();
+            evaluator.rounding = match rounding::measure(evaluator, &domain, order.points, SEED) {
+                Ok(rounding) => Some(rounding),
+                Err(Unmeasured::NoPoint) => {
+                    return Err(Failure::NoPoint(evaluator.name.clone()));
+                }
+                Err(Unmeasured::Domain | Unmeasured::Constant) => None,
+            };
         }
     }
     // Proven twice: what is written says that it is proven, and is proven as it is written.

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
 
 use serde_json::{Value, json};
 
@@ -102,6 +103,73 @@ fn what_is_generated_is_proven_and_stays_so() {
 }
 
 #[test]
+fn what_evaluators_rest_on_has_to_be_there_too() {
+    let plate = plate("plate-shared.md");
+    for (language, shared) in [
+        ("rust", "lanes.rs"),
+        ("c", "sextic_bounded.h"),
+        ("python", "__init__.py"),
+    ] {
+        let out = folder(&format!("shared-{language}"));
+        let check = || generate(&plate, &out, &["--language", language, "--check"]);
+        assert_eq!(
+            generate(&plate, &out, &["--language", language]).status,
+            Some(0)
+        );
+        let text = fs::read_to_string(out.join(shared)).expect("a file of its name");
+        fs::write(out.join(shared), text.clone() + "\n").expect("another text");
+        let needle = format!("NOT proven: it rests on {shared}");
+        let checked = check();
+        assert_eq!(checked.status, Some(1));
+        assert!(checked.out.contains(&needle), "{}", checked.out);
+        fs::remove_file(out.join(shared)).expect("it goes");
+        let checked = check();
+        assert!(checked.out.contains(&needle), "{}", checked.out);
+        fs::write(out.join(shared), text).expect("the old text");
+        assert_eq!(check().status, Some(0));
+        // Python prefers a folder to a file of its name.
+        fs::create_dir(out.join("turned")).expect("a folder");
+        let checked = check();
+        assert_eq!(checked.status, Some(1), "{}", checked.out);
+        assert!(
+            checked.out.contains("turned may be taken"),
+            "{}",
+            checked.out
+        );
+    }
+}
+
+#[test]
+fn what_an_interrupted_run_left_is_cleared() {
+    let plate = plate("plate-interrupted.md");
+    let out = folder("interrupted");
+    fs::create_dir_all(&out).expect("a folder");
+    let (old, new) = (out.join(".sextic-old"), out.join(".sextic-new"));
+    fs::write(&new, "").expect("of a run at the same time");
+    let file = fs::File::create(&old).expect("of one that is over");
+    let before = SystemTime::now() - Duration::from_secs(2 * 3600);
+    file.set_modified(before).expect("a time of its own");
+    assert_eq!(
+        generate(&plate, &out, &["--language", "rust"]).status,
+        Some(0)
+    );
+    assert!(!old.exists() && new.exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_to_nowhere_is_no_missing_file() {
+    let plate = plate("plate-link.md");
+    let out = folder("link");
+    fs::create_dir_all(&out).expect("a folder");
+    let link = out.join("ratios.rs");
+    std::os::unix::fs::symlink("nowhere", &link).expect("a link");
+    let refused = generate(&plate, &out, &["--language", "rust"]);
+    assert_eq!(refused.status, Some(2), "{}", refused.err);
+    assert!(link.is_symlink() && !out.join("lib.rs").exists());
+}
+
+#[test]
 fn nothing_of_the_users_is_overwritten() {
     let plate = plate("plate-foreign.md");
     let out = folder("foreign");
@@ -185,6 +253,22 @@ fn wrong_orders_are_refused_with_what_to_do() {
         (
             &["--language", "rust", "--fix", "w=10"],
             "only where w < 10",
+        ),
+        (
+            &["--language", "rust", "--fix", "h=1e-320"],
+            "beyond the range",
+        ),
+        // 0 in doubles, though not exactly.
+        (
+            &[
+                "--language",
+                "rust",
+                "--fix",
+                "w=1",
+                "--fix",
+                "h=0.99999999999999999999",
+            ],
+            "has no value at any point",
         ),
         (
             &["--language", "rust", "--fix", "w=1", "--fix", "h=1"],

@@ -279,58 +279,58 @@ fn characteristic_polynomial_along_x_body<T: Arithmetic>(
     let dC_L = inputs.dC_L;
     let C_M = inputs.C_M;
     let dC_M = inputs.dC_M;
-    let t1 = C_D * 2.0;
-    let t2 = C_L * 2.0;
-    let t3 = C_D + dC_L;
-    let t4 = sin_gamma_r_plus_theta_0 * L_a;
-    let t5 = cos_gamma_r_plus_theta_0 * L_a;
-    let t6 = omega_x * omega_x;
-    let t7 = omega_y * omega_y;
-    let t8 = omega_theta * omega_theta;
-    let t9 = t7 * t8;
-    let t10 = m * r;
-    let t11 = T::constant(1.0) / (r * t10);
-    let t12 = t10 * t11;
-    let t13 = L_g * t12;
-    let t14 = sin_alpha_g_plus_theta_0 * t13;
-    let t15 = cos_alpha_g_plus_theta_0 * t13;
-    let t16 = U * (rho * D) * (r * r * t11 * 0.5);
-    let t17 = C_M * (D * 2.0) * t12;
-    let t18 = D * dC_M * t12;
-    let t19 = (dC_D - C_L) * t16;
-    let t20 = t16 * (t1.multiply_add(t4, -((C_L - dC_D) * t5)) * t12);
-    let t21 = t2 * t16;
-    let t22 = t16 * (t2.multiply_add(t4, t3 * t5) * t12);
-    let t23 = t16 * t17;
-    let t24 = t16 * t18;
-    let t25 = zeta_x.multiply_add(omega_x * 2.0, t1 * t16);
-    let t26 = zeta_y.multiply_add(omega_y * 2.0, t3 * t16);
-    let t27 = t16 * (t12 * t4.multiply_add(t17, t5 * t18));
-    let t28 = zeta_theta.multiply_add(omega_theta * 2.0, t27);
-    let t29 = t7.multiply_add(t28, t8 * t26);
-    let t30 = (-t22).multiply_add(t24, t8 + t26.multiply_add(t28, t7));
-    let t31 = t26 + t28 - t15.multiply_add(t22, t15 * t24);
-    let t32 = (-t15).multiply_add(t15, T::constant(1.0));
-    let t33 = t9 + t6.multiply_add(t30, t25 * t29);
-    let t34 = t29 + t6.multiply_add(t31, t25 * t30);
-    let t35 = t21.multiply_add(t28, -(t22 * t23));
-    let t36 = t21 - t14.multiply_add(t22, t15 * t23);
-    let t37 = t30 + t6.multiply_add(t32, t25 * t31);
-    let t38 = t7 * t23;
-    let t39 = t21.multiply_add(t24, -t7.multiply_add(t14, t23 * t26));
-    let t40 = t15.multiply_add(t21, -t14.multiply_add(t26, t23));
-    let t41 = (-t19).multiply_add(t8 * t21, t33);
-    let t42 = t20.multiply_add(t39, -(t14 * t38));
-    let t43 = t20.multiply_add(t40, t14 * t39);
-    let t44 = t19.multiply_add(t14 * t15, t25.multiply_add(t32, t31));
-    let t45 = (-(L_g * L_g)).multiply_add(m * t11, T::constant(1.0));
+    let t1 = m * r;
+    let t2 = T::constant(1.0) / (r * t1);
+    let t3 = t1 * t2;
+    let t4 = L_g * t3;
+    let t5 = sin_alpha_g_plus_theta_0 * t4;
+    let t6 = cos_alpha_g_plus_theta_0 * t4;
+    let t7 = t2 * (r * r) * 0.5 * (U * (rho * D));
+    let t8 = C_D * 2.0;
+    let t9 = C_L * 2.0;
+    let t10 = C_D + dC_L;
+    let t11 = t3 * (C_M * (D * 2.0));
+    let t12 = t3 * (D * dC_M);
+    let t13 = sin_gamma_r_plus_theta_0 * L_a;
+    let t14 = cos_gamma_r_plus_theta_0 * L_a;
+    let t15 = t7 * (dC_D - C_L);
+    let t16 = t7 * (t3 * t8.multiply_add(t13, -((C_L - dC_D) * t14)));
+    let t17 = t7 * t9;
+    let t18 = t7 * (t3 * t9.multiply_add(t13, t10 * t14));
+    let t19 = t7 * t11;
+    let t20 = t7 * t12;
+    let t21 = zeta_x.multiply_add(omega_x * 2.0, t7 * t8);
+    let t22 = zeta_y.multiply_add(omega_y * 2.0, t7 * t10);
+    let t23 = t7 * (t3 * t11.multiply_add(t13, t12 * t14));
+    let t24 = zeta_theta.multiply_add(omega_theta * 2.0, t23);
+    let t25 = omega_x * omega_x;
+    let t26 = omega_y * omega_y;
+    let t27 = omega_theta * omega_theta;
+    let t28 = t26 * t27;
+    let t29 = t24.multiply_add(t26, t22 * t27);
+    let t30 = (-t18).multiply_add(t20, t27 + t22.multiply_add(t24, t26));
+    let t31 = t22 + t24 - t6.multiply_add(t18, t6 * t20);
+    let t32 = (-t6).multiply_add(t6, T::constant(1.0));
+    let t33 = t28 + t25.multiply_add(t30, t21 * t29);
+    let t34 = t29 + t25.multiply_add(t31, t21 * t30);
+    let t35 = t17.multiply_add(t24, -(t18 * t19));
+    let t36 = t30 + t25.multiply_add(t32, t21 * t31);
+    let t37 = t17 - t5.multiply_add(t18, t6 * t19);
+    let t38 = t19 * t26;
+    let t39 = t17.multiply_add(t20, -t5.multiply_add(t26, t19 * t22));
+    let t40 = t6.multiply_add(t17, -t5.multiply_add(t22, t19));
+    let t41 = (-t15).multiply_add(t17 * t27, t33);
+    let t42 = t16.multiply_add(t39, -(t5 * t38));
+    let t43 = t16.multiply_add(t40, t5 * t39);
+    let t44 = t15.multiply_add(t5 * t6, t21.multiply_add(t32, t31));
+    let t45 = (-(m * t2)).multiply_add(L_g * L_g, T::constant(1.0));
     let t46 = T::constant(1.0) / t45;
-    let c_0 = t6 * t9 * t46;
-    let c_1 = t6.multiply_add(t29, t9 * t25) * t46;
-    let c_2 = (-t20).multiply_add(t38, t41) * t46;
-    let c_3 = ((-t19).multiply_add(t35, t34) + t42) * t46;
-    let c_4 = ((-t19).multiply_add(t36, t37) + t43) * t46;
-    let c_5 = (t44 + t14.multiply_add(t40, -(t14 * t20))) * t46;
+    let c_0 = t25 * t28 * t46;
+    let c_1 = t25.multiply_add(t29, t21 * t28) * t46;
+    let c_2 = (-t16).multiply_add(t38, t41) * t46;
+    let c_3 = ((-t15).multiply_add(t35, t34) + t42) * t46;
+    let c_4 = ((-t15).multiply_add(t37, t36) + t43) * t46;
+    let c_5 = (t44 + t5.multiply_add(t40, -(t5 * t16))) * t46;
     CharacteristicPolynomialAlongXOutputs {
         c_0,
         c_1,
@@ -434,6 +434,8 @@ fn characteristic_polynomial_along_x_body<T: Arithmetic>(
 ///
 /// It needs no further condition.
 ///
+/// A value on the way that leaves the range of doubles may make a result infinite or NaN.
+///
 /// # Cost
 ///
 /// 144 operations (44 +, 98 ×, 2 ÷).
@@ -446,10 +448,10 @@ fn characteristic_polynomial_along_x_body<T: Arithmetic>(
 /// # Rounding
 ///
 /// Distance of the strict evaluation from the exact value, in units in the last place of that
-/// value, at 100000 points drawn from m in \[1, 50\], r in \[0.01, 0.1\], L_g in \[0.0001,
-/// 0.009\], ω_x in \[1, 20\], ω_y in \[1, 20\], ω_θ in \[1, 20\], ζ_x in \[0, 0.02\], ζ_y in
-/// \[0, 0.02\], ζ_θ in \[0, 0.02\], ρ in \[1.1, 1.3\], D in \[0.01, 0.2\], U in \[1, 40\], L_a
-/// in \[0, 0.05\], C_D(θ_0) in \[0.2, 2\], C_L(θ_0) in \[-1.5, 1.5\], C_D′(θ_0) in \[-10, 10\],
+/// value, at 100000 points of m in \[1, 50\], r in \[0.01, 0.1\], L_g in \[0.0001, 0.009\], ω_x
+/// in \[1, 20\], ω_y in \[1, 20\], ω_θ in \[1, 20\], ζ_x in \[0, 0.02\], ζ_y in \[0, 0.02\],
+/// ζ_θ in \[0, 0.02\], ρ in \[1.1, 1.3\], D in \[0.01, 0.2\], U in \[1, 40\], L_a in \[0,
+/// 0.05\], C_D(θ_0) in \[0.2, 2\], C_L(θ_0) in \[-1.5, 1.5\], C_D′(θ_0) in \[-10, 10\],
 /// C_L′(θ_0) in \[-10, 10\], C_M(θ_0) in \[-0.5, 0.5\], C_M′(θ_0) in \[-5, 5\], angles all
 /// around the circle:
 ///

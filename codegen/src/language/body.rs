@@ -5,11 +5,10 @@ use super::Error;
 use super::documentation::Parts;
 use super::literal::Decimal;
 use super::named::Named;
-use crate::evaluator::{Evaluator, Input};
+use crate::evaluator::Evaluator;
 use crate::optimiser::hoist::still_first;
 use crate::optimiser::prune::prune;
-use crate::program::{Operation, Program, Rational};
-use crate::rounding::all_values;
+use crate::program::{Node, Operation, Program, Rational};
 
 /// The parts of a body.
 pub struct Ingredients<'a> {
@@ -50,9 +49,11 @@ impl<'a> Ingredients<'a> {
     }
 }
 
-/// The double next to a number that is fixed.
+/// The double next to a number that is fixed; not a subnormal one, which has lost digits.
 pub fn nearest(value: &Rational) -> Result<Decimal, Error> {
-    Decimal::nearest(value).ok_or_else(|| Error::Constant(value.to_string()))
+    let found = Decimal::nearest(value);
+    let whole = found.filter(|found| found.value == 0.0 || found.value.is_normal());
+    whole.ok_or_else(|| Error::Constant(value.to_string()))
 }
 
 /// The parts of an evaluator that its documentation names.
@@ -86,17 +87,40 @@ pub fn parts<'a>(evaluator: &'a Evaluator, named: &'a Named) -> Result<Parts<'a>
 /// Refuses what has no value at any point. It would be NaN or infinity in some languages, and a
 /// `ZeroDivisionError` in Python.
 fn check(evaluator: &Evaluator) -> Result<(), Error> {
-    let preparation = evaluator.hoisted().preparation;
-    let fixed = evaluator.inputs.iter().filter_map(Input::fixed);
-    let values: Result<Vec<f64>, Error> = fixed
-        .map(|fixed| Ok(nearest(&fixed.value)?.value))
-        .collect();
-    let Some(values) = all_values(&preparation, &values?) else {
-        return Ok(()); // A constant beyond the doubles is found where it is printed.
-    };
-    match values.iter().all(|value| value.is_finite()) {
-        true => Ok(()),
-        false => Err(Error::Fixed(evaluator.name.clone())),
+    let mut values: Vec<Option<f64>> = Vec::new();
+    for input in &evaluator.inputs {
+        let fixed = input.fixed().map(|fixed| nearest(&fixed.value));
+        values.push(fixed.transpose()?.map(|decimal| decimal.value));
+    }
+    let program = &evaluator.program;
+    for operation in &program.operations()[program.inputs().len()..] {
+        let value = known(operation, &values);
+        let is_divided_by_zero = match operation {
+            Operation::Divide(_, below) => values[below.index()] == Some(0.0),
+            _ => false,
+        };
+        if is_divided_by_zero || value.is_some_and(|value| !value.is_finite()) {
+            return Err(Error::Fixed(evaluator.name.clone()));
+        }
+        values.push(value);
+    }
+    Ok(())
+}
+
+/// The value of an operation in doubles, as far as it is the same at all points: 0 times whatever is 0.
+fn known(operation: &Operation, values: &[Option<f64>]) -> Option<f64> {
+    let of = |node: &Node| values[node.index()];
+    match operation {
+        Operation::Input(_) => None,
+        // One beyond the doubles is found where it is printed.
+        Operation::Constant(value) => Decimal::nearest(value).map(|decimal| decimal.value),
+        Operation::Add(a, b) => Some(of(a)? + of(b)?),
+        Operation::Subtract(a, b) => Some(of(a)? - of(b)?),
+        Operation::Multiply(a, b) if of(a) == Some(0.0) || of(b) == Some(0.0) => Some(0.0),
+        Operation::Multiply(a, b) => Some(of(a)? * of(b)?),
+        Operation::Divide(a, b) => Some(of(a)? / of(b)?),
+        Operation::Negative(a) => Some(-of(a)?),
+        Operation::SquareRoot(a) => Some(of(a)?.sqrt()),
     }
 }
 

@@ -196,6 +196,9 @@ fn conditions(evaluator: &Evaluator, comments: &Comments) -> Vec<String> {
             &[],
         ),
     }
+    let range =
+        "A value on the way that leaves the range of doubles may make a result infinite or NaN.";
+    list(range, &[]);
     lines
 }
 
@@ -230,7 +233,7 @@ fn units(number: f64) -> String {
 fn measured(rounding: &Rounding, outputs: &[String], comments: &Comments) -> Vec<String> {
     let text = format!(
         "Distance of the strict evaluation from the exact value, in units in the last place of that value, \
-         at {} points drawn from {}:",
+         at {} points of {}:",
         rounding.points,
         comments.prose(&flat(&rounding.domain))
     );

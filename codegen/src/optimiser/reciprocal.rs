@@ -9,59 +9,35 @@ use crate::program::{Node, Operation, Program, Rational, is_power_of_two};
 /// of doubles as long as each is within 10^±77.
 const FACTORS: usize = 4;
 
-/// Divides once by all divisors that do not wait for each other: a/x and b/(y·z) become a·(y·z)·q and
-/// b·x·q with q = 1/(x·y·z), and a/d and b/d become a·q and b·q with q = 1/d.
+/// Divides once by all divisors that are known closely: a/x and b/(y·z) become a·(y·z)·q and b·x·q with
+/// q = 1/(x·y·z), and a/d and b/d become a·q and b·q with q = 1/d.
 ///
-/// A division takes as long as eight to sixteen products in lanes. Powers of two stay out of the common
-/// divisor, because products with them are exact. Where one divisor is 0 none of the quotients has a value.
+/// A division takes as long as eight to sixteen products in lanes. Divisors are known closely if they are
+/// products of what is given, and of sums of two given values; cancellation in others would spoil quotients
+/// that have nothing to do with them. Powers of two stay out of the common divisor, because products with
+/// them are exact. Where one divisor is 0 none of the quotients has a value.
 ///
 /// Complexity: n log n for n operations.
 #[must_use]
 pub fn reciprocals(program: &Program) -> Program {
     // What no output needs must not be divided by.
     let program = prune(program);
-    let depths = depths(&program);
-    let mut rebuilt = Program::new(program.inputs().iter().cloned());
-    let mut images: BTreeMap<Node, Node> = BTreeMap::new();
+    let groups = groups(&program);
     let mut inverses: BTreeMap<Node, Node> = BTreeMap::new();
-    for depth in 0..=depths.iter().copied().max().unwrap_or(0) {
-        let is_here = |node: Node| depths[node.index()] == depth;
-        for (node, operation) in program.nodes().filter(|(node, _)| is_here(*node)) {
-            let image = match operation {
-                // The inputs are the first values of both programs.
-                Operation::Input(_) => node,
-                Operation::Divide(above, below) if inverses.contains_key(below) => {
-                    rebuilt.push(Operation::Multiply(images[above], inverses[below]))
-                }
-                _ => rebuilt.push(operation.map(|operand| images[&operand])),
-            };
-            images.insert(node, image);
+    program.rebuild(|rebuilt, node, operation| {
+        let (Operation::Divide(above, below), Operation::Divide(_, divisor)) =
+            (&operation, program.operation(node))
+        else {
+            return rebuilt.push(operation);
+        };
+        let Some(group) = groups.iter().find(|group| group.has(*divisor)) else {
+            return rebuilt.push(operation);
+        };
+        if !inverses.contains_key(divisor) {
+            group.invert(*below, &program, rebuilt, &mut inverses);
         }
-        for group in groups(&program, is_here) {
-            group.invert(&mut rebuilt, &images, &mut inverses);
-        }
-    }
-    for (name, node) in program.outputs() {
-        rebuilt.output(name.clone(), images[node]);
-    }
-    rebuilt
-}
-
-/// Of each value, how many divisions are done one after the other to compute it.
-fn depths(program: &Program) -> Vec<usize> {
-    let mut depths: Vec<usize> = Vec::with_capacity(program.operations().len());
-    for operation in program.operations() {
-        let of = |node: &Node| depths[node.index()];
-        depths.push(match operation {
-            Operation::Divide(above, below) => of(above).max(of(below) + 1),
-            _ => operation
-                .operands()
-                .map(|node| of(&node))
-                .max()
-                .unwrap_or(0),
-        });
-    }
-    depths
+        rebuilt.push(Operation::Multiply(*above, inverses[divisor]))
+    })
 }
 
 /// A divisor: a power of two times the product of some values.
@@ -69,7 +45,7 @@ struct Divisor {
     node: Node,
     uses: usize,
     power_of_two: Rational,
-    /// In order; empty if there are too many.
+    /// In order; empty if there are too many, or one that is not to be joined.
     factors: Vec<Node>,
 }
 
@@ -79,15 +55,12 @@ struct Group {
     multiple: Vec<Node>,
 }
 
-/// The divisors of some values, in groups whose products are not too long.
-fn groups(program: &Program, is_here: impl Fn(Node) -> bool) -> Vec<Group> {
+/// What is divided by more than once, in groups whose products are not too long.
+fn groups(program: &Program) -> Vec<Group> {
     let mut uses: BTreeMap<Node, usize> = BTreeMap::new();
     for operation in program.operations() {
-        match operation {
-            Operation::Divide(_, divisor) if is_here(*divisor) => {
-                *uses.entry(*divisor).or_default() += 1;
-            }
-            _ => {}
+        if let Operation::Divide(_, divisor) = operation {
+            *uses.entry(*divisor).or_default() += 1;
         }
     }
     let mut groups: Vec<Group> = Vec::new();
@@ -108,6 +81,11 @@ fn groups(program: &Program, is_here: impl Fn(Node) -> bool) -> Vec<Group> {
             }),
         }
     }
+    let is_worth_it = |group: &Group| {
+        let uses: usize = group.divisors.iter().map(|divisor| divisor.uses).sum();
+        uses > 1
+    };
+    groups.retain(is_worth_it);
     groups
 }
 
@@ -130,7 +108,9 @@ impl Divisor {
                 _ => divisor.factors.push(node),
             }
             // A power can have more factors than there are operations.
-            if divisor.factors.len() + products.len() > 2 * FACTORS {
+            let is_long = divisor.factors.len() + products.len() > 2 * FACTORS;
+            let mut factors = divisor.factors.iter();
+            if is_long || !factors.all(|factor| is_close(program, *factor)) {
                 divisor.factors.clear();
                 break;
             }
@@ -140,41 +120,68 @@ impl Divisor {
     }
 }
 
+/// Whether a value is given, or the sum or difference of two that are: rounded once, so that it is close
+/// to exact however small it is.
+fn is_close(program: &Program, node: Node) -> bool {
+    let is_given = |node: Node| {
+        let operation = program.operation(node);
+        matches!(operation, Operation::Input(_) | Operation::Constant(_))
+    };
+    match program.operation(node) {
+        Operation::Add(a, b) | Operation::Subtract(a, b) => is_given(*a) && is_given(*b),
+        _ => is_given(node),
+    }
+}
+
+/// A value of one program in another one with the same inputs, which come first in both.
+fn copied(node: Node, program: &Program, rebuilt: &mut Program) -> Node {
+    match program.operation(node) {
+        Operation::Input(_) => node,
+        operation => {
+            let moved = operation.map(|operand| copied(operand, program, rebuilt));
+            rebuilt.push(moved)
+        }
+    }
+}
+
 impl Group {
-    /// Appends the inverses of all divisors; a single division stays one.
+    fn has(&self, divisor: Node) -> bool {
+        self.divisors.iter().any(|known| known.node == divisor)
+    }
+
+    /// Appends the inverses of all divisors, of which `below` is the image of the first that is needed.
     fn invert(
-        self,
-        program: &mut Program,
-        images: &BTreeMap<Node, Node>,
+        &self,
+        below: Node,
+        program: &Program,
+        rebuilt: &mut Program,
         inverses: &mut BTreeMap<Node, Node>,
     ) {
-        let uses: usize = self.divisors.iter().map(|divisor| divisor.uses).sum();
-        if uses < 2 {
-            return;
-        }
-        let one = program.constant(Rational::ONE);
+        let one = rebuilt.constant(Rational::ONE);
         if let [divisor] = &self.divisors[..] {
-            let inverse = program.push(Operation::Divide(one, images[&divisor.node]));
+            let inverse = rebuilt.push(Operation::Divide(one, below));
             inverses.insert(divisor.node, inverse);
             return;
         }
-        let product = |program: &mut Program, factors: &[Node]| {
+        let factors = self.multiple.iter();
+        let images: BTreeMap<Node, Node> = factors
+            .map(|factor| (*factor, copied(*factor, program, rebuilt)))
+            .collect();
+        let product = |rebuilt: &mut Program, factors: &[Node]| {
             let factors = factors.iter().map(|factor| images[factor]);
-            factors.reduce(|left, right| program.push(Operation::Multiply(left, right)))
+            factors.reduce(|left, right| rebuilt.push(Operation::Multiply(left, right)))
         };
-        let Some(below) = product(program, &self.multiple) else {
-            return;
-        };
-        let common = program.push(Operation::Divide(one, below));
+        let below = product(rebuilt, &self.multiple).unwrap_or(one);
+        let common = rebuilt.push(Operation::Divide(one, below));
         for divisor in &self.divisors {
             let mut inverse = common;
             let rest = without(&self.multiple, &divisor.factors);
-            if let Some(rest) = product(program, &rest) {
-                inverse = program.push(Operation::Multiply(inverse, rest));
+            if let Some(rest) = product(rebuilt, &rest) {
+                inverse = rebuilt.push(Operation::Multiply(inverse, rest));
             }
             if divisor.power_of_two != Rational::ONE {
-                let scale = program.constant(Rational::ONE / divisor.power_of_two.clone());
-                inverse = program.push(Operation::Multiply(inverse, scale));
+                let scale = rebuilt.constant(Rational::ONE / divisor.power_of_two.clone());
+                inverse = rebuilt.push(Operation::Multiply(inverse, scale));
             }
             inverses.insert(divisor.node, inverse);
         }

@@ -19,13 +19,6 @@ pub fn evaluate(program: &Program, inputs: &[f64]) -> Option<Vec<f64>> {
     Some(doubles.outputs(&doubles.values(inputs)))
 }
 
-/// Every value in doubles, in the order of the operations.
-///
-/// None if a constant is beyond the doubles.
-pub(crate) fn all_values(program: &Program, inputs: &[f64]) -> Option<Vec<f64>> {
-    Doubles::new(program).map(|doubles| doubles.values(inputs))
-}
-
 /// The outputs over the rationals; none where a divisor is 0 or a root is not rational.
 ///
 /// # Panics

@@ -2,8 +2,9 @@
 //!
 //! A shape is the text of such a file with holes. Where a line has `$input` or `$output` it stands there
 //! once for each of them, in order, and so with `$asked`, which is what angles and other inputs are called
-//! where angles are asked for; only evaluators with such have the lines with a question mark. `$function`, `$Function` and `$GUARD` are the name of the evaluator,
-//! `$first` is the first input. The other words with a dollar sign are holes for what is computed.
+//! where angles are asked for; only evaluators with such have the lines with a question mark. `$function`,
+//! `$Function` and `$GUARD` are the name of the evaluator, `$first` is the first input. The other words with
+//! a dollar sign are holes for what is computed.
 
 use super::Unreadable;
 use super::cursor::Cursor;
