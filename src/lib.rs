@@ -8,3 +8,5 @@ pub mod compile;
 pub mod derivation;
 pub mod documents;
 pub mod report;
+#[cfg(feature = "stability")]
+pub mod stability;

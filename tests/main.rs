@@ -6,4 +6,6 @@ mod compile;
 mod derivation;
 mod documentation;
 mod paper;
+#[cfg(feature = "stability")]
+mod stability;
 mod syntax;

@@ -1,0 +1,131 @@
+//! The closed forms (21) to (23), and where they may be used.
+
+use std::fmt;
+
+use num_complex::Complex;
+use sextic_evaluators::closed_form_in_wind::{
+    ClosedFormInWindAngles, ClosedFormInWindInputs, closed_form_in_wind,
+};
+
+use super::model::Model;
+
+/// What speaks against the closed forms for a section.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Limitation {
+    /// A coordinate is held: they do not apply.
+    NotAllFree,
+    /// The natural frequencies differ: they do not apply.
+    NotTuned,
+    /// There is structural damping, which they leave out.
+    StructuralDamping,
+    /// e ≤ δ|S|: the modes are separated by less than they are damped, and even the sign may be wrong.
+    Eccentricity {
+        /// e = L_g/r.
+        eccentricity: f64,
+        /// δ|S| with δ = ρ D U/(2 m ω_n) and the Frobenius norm of S_a, Eq. (18).
+        damping: f64,
+    },
+}
+
+impl fmt::Display for Limitation {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Limitation::NotAllFree => {
+                write!(formatter, "the closed form needs x, y and theta to be free")
+            }
+            Limitation::NotTuned => write!(
+                formatter,
+                "the closed form needs perfect tuning: omega_x = omega_y = omega_theta"
+            ),
+            Limitation::StructuralDamping => {
+                write!(
+                    formatter,
+                    "the closed form leaves the structural damping out"
+                )
+            }
+            Limitation::Eccentricity {
+                eccentricity,
+                damping,
+            } => write!(
+                formatter,
+                "the eccentricity {eccentricity:.2e} is not above the aerodynamic damping {damping:.2e}: the closed form may have the wrong sign"
+            ),
+        }
+    }
+}
+
+/// The real parts of Eqs. (21)–(23) with the frequencies of Eq. (15).
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClosedForm {
+    /// λ_k = λ_Rk + i ω_k in 1/s, with ω_k² = ω_n² r/(r − L_g), ω_n², ω_n² r/(r + L_g).
+    pub eigenvalues: [Complex<f64>; 3],
+    /// What speaks against them.
+    pub warnings: Vec<Limitation>,
+}
+
+impl ClosedForm {
+    /// The largest real part, in 1/s.
+    pub fn largest_real_part(&self) -> f64 {
+        let parts = self.eigenvalues.iter().map(|value| value.re);
+        parts.fold(f64::NEG_INFINITY, f64::max)
+    }
+}
+
+/// The closed forms for a section.
+///
+/// # Errors
+///
+/// If they do not apply: [`Limitation::NotAllFree`], [`Limitation::NotTuned`]. Frequencies count as
+/// equal if they differ by at most 1e-9 of themselves.
+pub fn closed_form(model: &Model) -> Result<ClosedForm, Limitation> {
+    let section = model.section();
+    let (p, c) = (section.parameters(), section.parameters().coefficients);
+    if !p.free.are_all() {
+        return Err(Limitation::NotAllFree);
+    }
+    let omega_n = p.natural_frequencies[0];
+    let is_tuned = |omega: &f64| (omega - omega_n).abs() <= 1e-9 * omega_n;
+    if !p.natural_frequencies.iter().all(is_tuned) {
+        return Err(Limitation::NotTuned);
+    }
+    let parts = closed_form_in_wind(&ClosedFormInWindInputs::from(&ClosedFormInWindAngles {
+        m: p.mass,
+        r: p.radius_of_gyration,
+        L_g: p.mass_centre_distance,
+        alpha_0: p.wind_angle,
+        alpha_g: p.mass_centre_angle,
+        theta_0: p.attitude,
+        gamma_r: p.aerodynamic_centre_angle,
+        rho: p.air_density,
+        D: p.reference_dimension,
+        U: p.wind_speed,
+        L_a: p.aerodynamic_centre_distance,
+        C_D: c.drag,
+        C_L: c.lift,
+        dC_D: c.drag_slope,
+        dC_L: c.lift_slope,
+        C_M: c.moment,
+        dC_M: c.moment_slope,
+    }));
+    let e = section.eccentricity();
+    let eigenvalues = [
+        Complex::new(parts.lamda_R1, omega_n / (1.0 - e).sqrt()),
+        Complex::new(parts.lamda_R2, omega_n),
+        Complex::new(parts.lamda_R3, omega_n / (1.0 + e).sqrt()),
+    ];
+    let mut warnings = Vec::new();
+    if p.damping_ratios.iter().any(|&ratio| ratio > 0.0) {
+        warnings.push(Limitation::StructuralDamping);
+    }
+    let damping = model.relative_aerodynamic_damping(omega_n);
+    if e <= damping {
+        warnings.push(Limitation::Eccentricity {
+            eccentricity: e,
+            damping,
+        });
+    }
+    Ok(ClosedForm {
+        eigenvalues,
+        warnings,
+    })
+}

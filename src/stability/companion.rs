@@ -1,0 +1,120 @@
+//! The characteristic polynomial and its roots: the textbook's way, with its loss of digits stated.
+
+use nalgebra::DMatrix;
+use num_complex::Complex;
+use polynomial::Polynomial;
+use sextic_evaluators::characteristic_polynomial::{
+    CharacteristicPolynomialAngles, CharacteristicPolynomialInputs,
+    characteristic_polynomial_with_bound,
+};
+
+use super::ball::Ball;
+use super::eigenvalue::{Spectrum, best_spectrum};
+use super::enclosure::error_bounds;
+use super::error::StabilityError;
+use super::model::{Model, derived};
+use super::schur::approximate_eigenvalues;
+
+/// The eigenvalues as roots of the characteristic polynomial, Eq. (19), by its companion matrix.
+///
+/// With all coordinates free the coefficients come from the generated evaluator, otherwise from the
+/// determinant of λ²M + λ(C_s + C_a) + K. Their rounding moves roots that lie δ apart by about
+/// ε/δ² and more, relatively; the errors that are given count that.
+///
+/// At most 8 Schur decompositions of at most 200 iterations, and as many times 36 Taylor expansions.
+///
+/// # Errors
+///
+/// [`StabilityError::NoEigenvalues`] if nothing converged or no error could be bounded.
+pub fn eigenvalues(model: &Model) -> Result<Spectrum, StabilityError> {
+    let coefficients = coefficients(model);
+    let matrix = companion_matrix(&characteristic_polynomial(model));
+    let bounds = |values: &[_]| error_bounds(values, |point| shifted(&coefficients, point));
+    best_spectrum(
+        approximate_eigenvalues(&matrix),
+        bounds,
+        model.frequency_unit,
+    )
+}
+
+/// The characteristic polynomial, Eq. (19): monic, of degree 2n, for λ in units of the power of 2
+/// below the largest natural frequency in rad/s, so that its coefficients are of one size.
+pub fn characteristic_polynomial(model: &Model) -> Polynomial<f64> {
+    let coefficients = coefficients(model);
+    let leading = coefficients.last().map_or(1.0, |ball| ball.centre.re);
+    let monic = coefficients.iter().map(|ball| ball.centre.re / leading);
+    Polynomial::new(monic.collect())
+}
+
+/// The companion matrix of a monic polynomial z^N + c_{N−1} z^{N−1} + … + c_0, N×N: ones below the
+/// diagonal, −c_0 to −c_{N−1} down the last column. Its eigenvalues are the roots.
+pub fn companion_matrix(polynomial: &Polynomial<f64>) -> DMatrix<f64> {
+    let coefficients = polynomial.data();
+    let degree = coefficients.len().saturating_sub(1);
+    DMatrix::from_fn(degree, degree, |row, column| {
+        if column + 1 == degree {
+            -coefficients[row]
+        } else if row == column + 1 {
+            1.0
+        } else {
+            0.0
+        }
+    })
+}
+
+/// The coefficients with bounds of their errors, for λ in units of the model.
+fn coefficients(model: &Model) -> Vec<Ball> {
+    if !model.section().parameters().free.are_all() {
+        return model.taylor(Complex::new(0.0, 0.0));
+    }
+    let (p, c) = (
+        model.section().parameters(),
+        model.section().parameters().coefficients,
+    );
+    let unit = model.frequency_unit;
+    let [omega_x, omega_y, omega_theta] = p.natural_frequencies.map(|omega| omega / unit);
+    let [zeta_x, zeta_y, zeta_theta] = p.damping_ratios;
+    let angles = CharacteristicPolynomialAngles {
+        m: p.mass,
+        r: p.radius_of_gyration,
+        L_g: p.mass_centre_distance,
+        alpha_0: p.wind_angle,
+        alpha_g: p.mass_centre_angle,
+        theta_0: p.attitude,
+        gamma_r: p.aerodynamic_centre_angle,
+        omega_x,
+        omega_y,
+        omega_theta,
+        zeta_x,
+        zeta_y,
+        zeta_theta,
+        rho: p.air_density,
+        D: p.reference_dimension,
+        // The damping of the wind goes with U over the unit of frequency.
+        U: p.wind_speed / unit,
+        L_a: p.aerodynamic_centre_distance,
+        C_D: c.drag,
+        C_L: c.lift,
+        dC_D: c.drag_slope,
+        dC_L: c.lift_slope,
+        C_M: c.moment,
+        dC_M: c.moment_slope,
+    };
+    let out = characteristic_polynomial_with_bound(&CharacteristicPolynomialInputs::from(&angles));
+    [
+        out.c_0, out.c_1, out.c_2, out.c_3, out.c_4, out.c_5, out.c_6,
+    ]
+    .map(derived)
+    .into()
+}
+
+/// The coefficients of p(c + μ) in powers of μ, by repeated division by μ (Horner, Taylor).
+fn shifted(coefficients: &[Ball], point: Complex<f64>) -> Vec<Ball> {
+    let mut shifted = coefficients.to_vec();
+    for lowest in 0..shifted.len() {
+        for power in (lowest..shifted.len() - 1).rev() {
+            shifted[power] = shifted[power] + shifted[power + 1] * Ball::exact(point);
+        }
+    }
+    shifted
+}

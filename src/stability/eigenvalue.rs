@@ -1,0 +1,102 @@
+//! Eigenvalues with a bound of their error.
+
+use num_complex::Complex;
+
+use super::error::StabilityError;
+use super::section::Section;
+
+/// An eigenvalue λ of a section, in 1/s, and a bound of its error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Eigenvalue {
+    /// λ = λ_R + i ω: the motion grows like exp(λ_R t) and has the circular frequency ω.
+    pub value: Complex<f64>,
+    /// The exact eigenvalue is no farther away than this, in 1/s.
+    pub error: f64,
+}
+
+/// The 2n eigenvalues of a section with n free coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spectrum {
+    /// All of them, complex ones beside their conjugates: first those with a positive imaginary part,
+    /// the highest frequency first, then their conjugates, then real ones, the largest first.
+    pub eigenvalues: Vec<Eigenvalue>,
+}
+
+impl Spectrum {
+    /// The largest real part and a bound of its error, in 1/s.
+    pub fn largest_real_part(&self) -> (f64, f64) {
+        let values = self.eigenvalues.iter();
+        let part = values
+            .clone()
+            .map(|own| own.value.re)
+            .fold(f64::NEG_INFINITY, f64::max);
+        // What may exceed the largest computed one is an eigenvalue with a larger bound.
+        let above = values
+            .clone()
+            .map(|own| own.value.re + own.error)
+            .fold(part, f64::max);
+        let below = values
+            .map(|own| own.value.re - own.error)
+            .fold(f64::NEG_INFINITY, f64::max);
+        (part, (above - part).max(part - below))
+    }
+
+    /// S_3D = −4 m max λ_R/(ρ D U) of a section (S_2D with two free coordinates) and a bound of its
+    /// error, Eq. (13); `None` without wind.
+    pub fn damping_coefficient(&self, section: &Section) -> Option<(f64, f64)> {
+        let (part, error) = self.largest_real_part();
+        let coefficient = section.damping_coefficient(part)?;
+        Some((coefficient, section.damping_coefficient(error)?.abs()))
+    }
+
+    /// Those with a frequency that is above 0 for certain, and those that may be real; a pair of the
+    /// former is there once.
+    pub fn one_of_each_pair(&self) -> impl Iterator<Item = &Eigenvalue> {
+        self.eigenvalues.iter().filter(|own| own.value.im >= 0.0)
+    }
+}
+
+/// The best of several approximations: values in units of `unit`, errors as `bounds` finds them.
+///
+/// The first whose errors are all below [`GOOD`] is taken, otherwise that with the smallest error.
+pub(super) fn best_spectrum(
+    approximations: impl Iterator<Item = Vec<Complex<f64>>>,
+    bounds: impl Fn(&[Complex<f64>]) -> Option<Vec<f64>>,
+    unit: f64,
+) -> Result<Spectrum, StabilityError> {
+    let mut best: Option<(f64, Vec<Eigenvalue>)> = None;
+    for values in approximations {
+        let Some(errors) = bounds(&values) else {
+            continue;
+        };
+        let worst = errors.iter().copied().fold(0.0, f64::max);
+        if !best.as_ref().is_some_and(|(least, _)| *least <= worst) {
+            let pairs = values.iter().zip(&errors);
+            let scaled = |(value, error): (&Complex<f64>, &f64)| Eigenvalue {
+                value: value * unit,
+                error: error * unit,
+            };
+            best = Some((worst, pairs.map(scaled).collect()));
+        }
+        if worst <= GOOD {
+            break;
+        }
+    }
+    let (_, mut eigenvalues) = best
+        .filter(|(worst, _)| worst.is_finite())
+        .ok_or(StabilityError::NoEigenvalues)?;
+    let rank = |own: &Eigenvalue| match own.value.im {
+        im if im > 0.0 => 0,
+        im if im < 0.0 => 1,
+        _ => 2,
+    };
+    eigenvalues.sort_by(|a, b| {
+        let frequency = b.value.im.abs().total_cmp(&a.value.im.abs());
+        let real_part = b.value.re.total_cmp(&a.value.re);
+        rank(a).cmp(&rank(b)).then(frequency).then(real_part)
+    });
+    Ok(Spectrum { eigenvalues })
+}
+
+/// An error, relative to the unit of frequency, that needs no second attempt.
+const GOOD: f64 = 1e-13;

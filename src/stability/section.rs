@@ -1,0 +1,192 @@
+//! A section in the wind: its parameters, checked.
+
+use super::coordinate::{Coordinate, FreeCoordinates};
+use super::error::StabilityError;
+
+/// The parameters of a section in the wind, in SI units and radians; nothing is checked yet.
+///
+/// Frequencies and damping ratios stand in the order x, y, θ. Those of a coordinate that is held
+/// are not used.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameters {
+    /// m: mass per unit length, in kg/m.
+    pub mass: f64,
+    /// r: radius of gyration about the elastic centre O, in m.
+    pub radius_of_gyration: f64,
+    /// L_g: distance of the mass centre G from O, in m.
+    pub mass_centre_distance: f64,
+    /// α_g: angle of G from the reference line, in rad.
+    pub mass_centre_angle: f64,
+    /// L_a: distance of the aerodynamic centre A from O, in m.
+    pub aerodynamic_centre_distance: f64,
+    /// γ_r: angle of A from the reference line, in rad.
+    pub aerodynamic_centre_angle: f64,
+    /// D: reference dimension, in m.
+    pub reference_dimension: f64,
+    /// ω_x, ω_y, ω_θ: circular natural frequencies of the uncoupled motions, in rad/s.
+    pub natural_frequencies: [f64; 3],
+    /// ζ_x, ζ_y, ζ_θ: structural damping ratios.
+    pub damping_ratios: [f64; 3],
+    /// ρ: density of air, in kg/m³.
+    pub air_density: f64,
+    /// U: wind speed, in m/s; may be 0.
+    pub wind_speed: f64,
+    /// α_0: angle of the wind to the x axis, in rad.
+    pub wind_angle: f64,
+    /// θ_0: turn of the section at rest, in rad.
+    pub attitude: f64,
+    /// The coefficients of the forces at the angle of attack α_0 + θ_0.
+    pub coefficients: Coefficients,
+    /// The coordinates that are free.
+    pub free: FreeCoordinates,
+}
+
+/// Force coefficients and their derivatives by the angle of attack, per radian.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Coefficients {
+    /// C_D.
+    pub drag: f64,
+    /// C_L.
+    pub lift: f64,
+    /// C_M.
+    pub moment: f64,
+    /// C_D′, per rad.
+    pub drag_slope: f64,
+    /// C_L′, per rad.
+    pub lift_slope: f64,
+    /// C_M′, per rad.
+    pub moment_slope: f64,
+}
+
+/// A section whose parameters are possible: L_g < r, m, r, D, ρ and the frequencies above 0, all finite.
+///
+/// ```
+/// use sextic::stability::coordinate::FreeCoordinates;
+/// use sextic::stability::section::{Coefficients, Parameters, Section};
+///
+/// let parameters = Parameters {
+///     mass: 2.99,
+///     radius_of_gyration: 0.014,
+///     mass_centre_distance: 0.002,
+///     mass_centre_angle: 0.3,
+///     aerodynamic_centre_distance: 0.0,
+///     aerodynamic_centre_angle: 0.0,
+///     reference_dimension: 0.0325,
+///     natural_frequencies: [6.28, 6.28, 6.28],
+///     damping_ratios: [0.0, 0.0, 0.0],
+///     air_density: 1.25,
+///     wind_speed: 9.0,
+///     wind_angle: 0.0,
+///     attitude: 0.7,
+///     coefficients: Coefficients { drag: 1.2, lift_slope: -3.0, ..Coefficients::default() },
+///     free: FreeCoordinates::all(),
+/// };
+/// assert!(Section::new(parameters.clone()).is_ok());
+///
+/// let impossible = Parameters { mass_centre_distance: 0.02, ..parameters };
+/// let error = Section::new(impossible).unwrap_err();
+/// assert!(error.to_string().starts_with("L_g = 0.02 must be below r = 0.014"));
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section(Parameters);
+
+/// The names of what stands in the order x, y, θ.
+const FREQUENCIES: [&str; 3] = ["omega_x", "omega_y", "omega_theta"];
+const DAMPING_RATIOS: [&str; 3] = ["zeta_x", "zeta_y", "zeta_theta"];
+
+impl Section {
+    /// Checks the parameters.
+    ///
+    /// # Errors
+    ///
+    /// For the first parameter that is out of its range: which, its value, what it must be.
+    pub fn new(parameters: Parameters) -> Result<Self, StabilityError> {
+        let p = &parameters;
+        let c = &p.coefficients;
+        for (name, value) in [
+            ("m", p.mass),
+            ("r", p.radius_of_gyration),
+            ("D", p.reference_dimension),
+            ("rho", p.air_density),
+        ] {
+            require(name, value, value > 0.0, "above 0")?;
+        }
+        for (name, value) in [
+            ("L_g", p.mass_centre_distance),
+            ("L_a", p.aerodynamic_centre_distance),
+            ("U", p.wind_speed),
+        ] {
+            require(name, value, value >= 0.0, "0 or above")?;
+        }
+        for (name, value) in [
+            ("alpha_g", p.mass_centre_angle),
+            ("gamma_r", p.aerodynamic_centre_angle),
+            ("alpha_0", p.wind_angle),
+            ("theta_0", p.attitude),
+            ("C_D", c.drag),
+            ("C_L", c.lift),
+            ("C_M", c.moment),
+            ("dC_D", c.drag_slope),
+            ("dC_L", c.lift_slope),
+            ("dC_M", c.moment_slope),
+        ] {
+            require(name, value, true, "a number")?;
+        }
+        for index in p.free.as_slice().iter().map(|free| free.index()) {
+            let (frequency, ratio) = (p.natural_frequencies[index], p.damping_ratios[index]);
+            require(FREQUENCIES[index], frequency, frequency > 0.0, "above 0")?;
+            require(DAMPING_RATIOS[index], ratio, ratio >= 0.0, "0 or above")?;
+        }
+        let r = p.radius_of_gyration;
+        let inside = p.mass_centre_distance < r;
+        let below = format!("below r = {r}, or the moment of inertia about G is not positive");
+        require("L_g", p.mass_centre_distance, inside, &below)?;
+        Ok(Section(parameters))
+    }
+
+    /// The parameters.
+    pub fn parameters(&self) -> &Parameters {
+        &self.0
+    }
+
+    /// The free coordinates, in order.
+    pub fn free(&self) -> &[Coordinate] {
+        self.0.free.as_slice()
+    }
+
+    /// e = L_g/r, the eccentricity: at least 0, below 1.
+    pub fn eccentricity(&self) -> f64 {
+        self.0.mass_centre_distance / self.0.radius_of_gyration
+    }
+
+    /// S = −4 m λ_R/(ρ D U), the damping coefficient of a real part λ_R in 1/s, Eq. (13) and §4.2;
+    /// `None` without wind.
+    ///
+    /// With the largest real part of all modes it is S_3D (S_2D for two free coordinates), with the
+    /// error of that real part its error but for the sign. The section gallops if S_3D < 0.
+    pub fn damping_coefficient(&self, real_part: f64) -> Option<f64> {
+        let p = &self.0;
+        let wind = p.air_density * p.reference_dimension * p.wind_speed;
+        (wind > 0.0).then(|| -4.0 * p.mass * real_part / wind)
+    }
+}
+
+fn require(
+    name: &'static str,
+    value: f64,
+    is_right: bool,
+    must_be: &str,
+) -> Result<(), StabilityError> {
+    if is_right && value.is_finite() {
+        return Ok(());
+    }
+    Err(StabilityError::Parameter {
+        name,
+        value,
+        must_be: if value.is_finite() {
+            must_be.into()
+        } else {
+            "finite".into()
+        },
+    })
+}

@@ -1,0 +1,85 @@
+//! The closed forms against the eigenvalues, and where they do not apply.
+
+use sextic::stability::closed_form::{Limitation, closed_form};
+use sextic::stability::coordinate::{Coordinate, FreeCoordinates};
+use sextic::stability::model::Model;
+use sextic::stability::modes;
+use sextic::stability::section::{Parameters, Section};
+
+use super::sections::{Numbers, section};
+
+fn model(parameters: Parameters) -> Model {
+    let section = Section::new(parameters).expect("a possible section");
+    Model::new(&section).expect("a model")
+}
+
+/// Perfectly tuned, without structural damping.
+fn tuned(numbers: &mut Numbers) -> Parameters {
+    let usual = section(numbers);
+    Parameters {
+        natural_frequencies: [6.0; 3],
+        damping_ratios: [0.0; 3],
+        ..usual
+    }
+}
+
+#[test]
+fn closed_forms_are_the_eigenvalues_to_first_order() {
+    let mut numbers = Numbers::new(4);
+    for _ in 0..200 {
+        let usual = tuned(&mut numbers);
+        let parameters = Parameters {
+            wind_speed: 1e-4,
+            mass_centre_distance: 0.3 * usual.radius_of_gyration,
+            ..usual
+        };
+        let model = model(parameters);
+        let closed = closed_form(&model).expect("tuned and free");
+        assert_eq!(closed.warnings, []);
+        let exact = modes::eigenvalues(&model).expect("eigenvalues");
+        let size = 1e-4
+            * closed
+                .eigenvalues
+                .iter()
+                .map(|own| own.re.abs())
+                .fold(1e-9, f64::max);
+        for (own, other) in closed.eigenvalues.iter().zip(exact.one_of_each_pair()) {
+            assert!(
+                (own.re - other.value.re).abs() < size + other.error,
+                "{own} {other:?}"
+            );
+            assert!((own.im - other.value.im).abs() < 1e-6, "{own} {other:?}");
+        }
+    }
+}
+
+#[test]
+fn limitations_are_named() {
+    let tuned = tuned(&mut Numbers::new(5));
+    let free = FreeCoordinates::new(&[Coordinate::Y, Coordinate::Theta]).expect("two");
+    let held = Parameters {
+        free,
+        ..tuned.clone()
+    };
+    assert_eq!(closed_form(&model(held)), Err(Limitation::NotAllFree));
+    let detuned = Parameters {
+        natural_frequencies: [6.0, 6.0, 6.1],
+        ..tuned.clone()
+    };
+    assert_eq!(closed_form(&model(detuned)), Err(Limitation::NotTuned));
+    let damped = Parameters {
+        damping_ratios: [0.0, 0.01, 0.0],
+        mass_centre_distance: 0.0,
+        ..tuned
+    };
+    let warnings = closed_form(&model(damped)).expect("it applies").warnings;
+    assert_eq!(warnings[0], Limitation::StructuralDamping);
+    assert!(matches!(
+        warnings[1],
+        Limitation::Eccentricity {
+            eccentricity: 0.0,
+            ..
+        }
+    ));
+    assert_eq!(warnings.len(), 2);
+}

@@ -1,0 +1,92 @@
+//! No section hangs, and no eigenvalue is farther from the exact one than it says.
+
+use sextic::stability::companion;
+use sextic::stability::eigenvalue::{Eigenvalue, Spectrum};
+use sextic::stability::error::StabilityError;
+use sextic::stability::model::Model;
+use sextic::stability::modes;
+use sextic::stability::section::Section;
+
+use super::oracle::{Long, characteristic_polynomial, permutations, roots};
+use super::sections::{KINDS, Numbers, hard_section};
+
+/// The largest ratio of distance to stated error under the best assignment of exact eigenvalues.
+pub fn exceeds(computed: &[Eigenvalue], exact: &[Long]) -> f64 {
+    assert_eq!(computed.len(), exact.len());
+    let ratio = |i: usize, j: usize| {
+        let value = computed[i].value;
+        exact[j].distance(value.re, value.im) / computed[i].error
+    };
+    let all = permutations(exact.len())
+        .into_iter()
+        .map(|(permutation, _)| {
+            (0..exact.len())
+                .map(|i| ratio(i, permutation[i]))
+                .fold(0.0, f64::max)
+        });
+    all.fold(f64::INFINITY, f64::min)
+}
+
+fn is_as_exact_as_it_says(
+    seed: u64,
+    points: usize,
+    eigenvalues: fn(&Model) -> Result<Spectrum, StabilityError>,
+) {
+    for kind in KINDS {
+        let mut numbers = Numbers::new(seed);
+        let (mut worst_ratio, mut worst_error) = (0.0_f64, 0.0_f64);
+        for _ in 0..points {
+            let parameters = hard_section(kind, &mut numbers);
+            let section = Section::new(parameters.clone()).expect("a possible section");
+            let model = Model::new(&section).expect("a model");
+            let spectrum = eigenvalues(&model)
+                .unwrap_or_else(|error| panic!("{kind}: {error} {parameters:?}"));
+            let exact = roots(&characteristic_polynomial(&parameters));
+            let ratio = exceeds(&spectrum.eigenvalues, &exact);
+            assert!(ratio <= 1.0, "{kind}: {ratio} {parameters:?} {spectrum:?}");
+            worst_ratio = worst_ratio.max(ratio);
+            let size = spectrum.eigenvalues[0].value.norm();
+            let errors = spectrum.eigenvalues.iter().map(|own| own.error / size);
+            worst_error = errors.fold(worst_error, f64::max);
+        }
+        println!("{kind}: distance/bound at most {worst_ratio:.3}, bound {worst_error:.2e}");
+    }
+}
+
+#[test]
+fn eigenvalues_of_the_state_matrix_are_as_exact_as_they_say() {
+    is_as_exact_as_it_says(1, 50, modes::eigenvalues);
+}
+
+#[test]
+fn roots_of_the_characteristic_polynomial_are_as_exact_as_they_say() {
+    is_as_exact_as_it_says(2, 50, companion::eigenvalues);
+}
+
+#[test]
+fn both_ways_agree_within_their_bounds_and_none_hangs() {
+    for kind in KINDS {
+        let mut numbers = Numbers::new(3);
+        for _ in 0..2000 {
+            let section = Section::new(hard_section(kind, &mut numbers)).expect("a section");
+            let model = Model::new(&section).expect("a model");
+            let (one, other) = (modes::eigenvalues(&model), companion::eigenvalues(&model));
+            let (one, other) = (one.expect("eigenvalues"), other.expect("roots"));
+            let (a, a_error) = one.largest_real_part();
+            let (b, b_error) = other.largest_real_part();
+            assert!(
+                (a - b).abs() <= a_error + b_error,
+                "{kind}: {a} and {b} at {section:?}"
+            );
+            let worst = one
+                .eigenvalues
+                .iter()
+                .map(|own| own.error / own.value.norm());
+            let is_defective = kind == "tuned, critically damped";
+            assert!(
+                is_defective || worst.fold(0.0, f64::max) < 1e-6,
+                "{kind}: {one:?}"
+            );
+        }
+    }
+}
