@@ -1,4 +1,4 @@
-//! Numbers for real sections: state matrix, companion matrix and closed forms.
+//! Numbers for real sections: state matrix, companion matrix, closed forms, and modes that are followed.
 //!
 //! Every eigenvalue comes with a bound of its error, so that an answer is as good as it says.
 
@@ -13,3 +13,5 @@ pub mod model;
 pub mod modes;
 mod schur;
 pub mod section;
+mod shape;
+pub mod tracking;

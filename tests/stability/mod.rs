@@ -4,3 +4,4 @@ mod closed_form;
 mod eigenvalues;
 mod oracle;
 mod sections;
+mod tracking;

@@ -1,0 +1,98 @@
+//! Modes followed from point to point by their shapes.
+
+use num_complex::Complex;
+
+use super::model::Model;
+use super::shape::mode_shape;
+
+/// An eigenvalue and the shape of its motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mode {
+    /// λ in 1/s, its imaginary part 0 or above.
+    pub value: Complex<f64>,
+    /// The free ones of x, y and rθ, its largest entry 1.
+    pub shape: Vec<Complex<f64>>,
+}
+
+impl Mode {
+    /// The mode of an eigenvalue, the `place`-th of those that coincide with it, from 0. `None` if the
+    /// decomposition behind it does not converge.
+    pub fn new(model: &Model, value: Complex<f64>, place: usize) -> Option<Self> {
+        let shape = mode_shape(model, value, place)?;
+        Some(Mode { value, shape })
+    }
+}
+
+/// How alike two modes move: |φᴴMψ|²/(φᴴMφ · ψᴴMψ) with the mass matrix M of a model; 1 for the same
+/// shape, 0 for shapes that share no kinetic energy.
+pub fn overlap(model: &Model, one: &Mode, other: &Mode) -> f64 {
+    let product = |a: &Mode, b: &Mode| -> Complex<f64> {
+        let pairs = a.shape.iter().zip(&model.mass);
+        let rows = pairs.map(|(left, row)| {
+            let terms = row.iter().zip(&b.shape);
+            left.conj()
+                * terms
+                    .map(|(mass, right)| mass.centre * right)
+                    .sum::<Complex<f64>>()
+        });
+        rows.sum()
+    };
+    let energies = product(one, one).re * product(other, other).re;
+    product(one, other).norm_sqr() / energies
+}
+
+/// Which of the modes at the next point continues each of those before: `result[i]` is the place of
+/// the one that continues `before[i]`.
+///
+/// Of all assignments it is that with the largest sum of overlaps; sums within 1e-6 of each other
+/// count as equal, and the smallest change of the eigenvalues decides. `None` if the numbers of modes
+/// differ or exceed 6, as at a point where a pair of eigenvalues becomes real.
+///
+/// All assignments of n ≤ 6 modes are tried: n!.
+pub fn follow(model: &Model, before: &[Mode], next: &[Mode]) -> Option<Vec<usize>> {
+    if before.len() != next.len() || before.len() > 6 {
+        return None;
+    }
+    let rate = |assignment: &[usize]| {
+        let pairs = || {
+            before
+                .iter()
+                .zip(assignment)
+                .map(|(old, &new)| (old, &next[new]))
+        };
+        let alike: f64 = pairs().map(|(old, new)| overlap(model, old, new)).sum();
+        let change: f64 = pairs()
+            .map(|(old, new)| (old.value - new.value).norm())
+            .sum();
+        (alike, change)
+    };
+    assignments(before.len())
+        .into_iter()
+        .map(|assignment| (rate(&assignment), assignment))
+        .reduce(|best, other| {
+            let ((best_alike, best_change), (alike, change)) = (best.0, other.0);
+            let is_tie = (alike - best_alike).abs() <= 1e-6;
+            let is_better = if is_tie {
+                change < best_change
+            } else {
+                alike > best_alike
+            };
+            if is_better { other } else { best }
+        })
+        .map(|(_, assignment)| assignment)
+}
+
+/// All orders of 0..n.
+fn assignments(n: usize) -> Vec<Vec<usize>> {
+    (0..n).fold(vec![Vec::new()], |shorter, last| {
+        let longer = |order: &Vec<usize>| {
+            let order = order.clone();
+            (0..=last).map(move |place| {
+                let mut longer = order.clone();
+                longer.insert(place, last);
+                longer
+            })
+        };
+        shorter.iter().flat_map(longer).collect()
+    })
+}
