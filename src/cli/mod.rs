@@ -2,11 +2,17 @@
 
 mod audit;
 mod evaluate;
+#[cfg(feature = "stability")]
+mod file;
 mod folder;
 mod generate;
 mod match_coefficients;
+#[cfg(feature = "stability")]
+mod modes;
 mod output;
 mod source;
+#[cfg(feature = "stability")]
+mod stability;
 
 use std::process::ExitCode;
 
@@ -36,7 +42,8 @@ impl From<Outcome> for ExitCode {
 /// Derives and audits closed-form stability criteria, exactly.
 ///
 /// A derivation is a Markdown document whose equations, in blocks fenced as `sextic`, are checked by
-/// exact algebra. Documents come with the command; a path names one of your own.
+/// exact algebra. Documents come with the command; a path names one of your own. What they derive is
+/// compared with numbers: `sextic stability` shows where a section gallops.
 #[derive(Debug, Parser)]
 #[command(name = "sextic", version, after_help = EXIT_STATUS)]
 struct Arguments {
@@ -50,13 +57,17 @@ enum Command {
     Match(match_coefficients::Arguments),
     Generate(generate::Arguments),
     Evaluate(evaluate::Arguments),
+    #[cfg(feature = "stability")]
+    Stability(stability::Arguments),
+    #[cfg(feature = "stability")]
+    Modes(modes::Arguments),
 }
 
 const EXIT_STATUS: &str = "\
 Exit status:
   0  all is as the document expects, also where it asserts nothing, which is said
   1  a verdict differs, or a check fails
-  2  the input is wrong, or has no `sextic` block
+  2  the input is wrong, or has no `sextic` block; a file cannot be written
 
 Results go to standard output, diagnostics to standard error. NO_COLOR is honoured.";
 
@@ -67,6 +78,10 @@ pub fn run() -> ExitCode {
         Command::Match(arguments) => match_coefficients::run(&arguments),
         Command::Generate(arguments) => generate::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),
+        #[cfg(feature = "stability")]
+        Command::Stability(arguments) => stability::run(&arguments),
+        #[cfg(feature = "stability")]
+        Command::Modes(arguments) => modes::run(&arguments),
     };
     outcome.into()
 }

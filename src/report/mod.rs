@@ -2,14 +2,25 @@
 //!
 //! Every view says the same: [`details`] and [`summary`] put it into words once, and [`text`],
 //! [`markdown`] and [`latex`] lay the words out. [`json`] is for programs and shortens nothing.
+//! Curves are rows of a table and figures as well.
 
+#[cfg(feature = "stability")]
+pub mod csv;
 pub mod details;
 pub mod evaluation;
+#[cfg(feature = "stability")]
+pub mod figure;
 pub mod json;
 pub mod latex;
 pub mod markdown;
+#[cfg(feature = "stability")]
+pub mod modes;
 pub mod phrase;
 pub mod residuals;
+#[cfg(feature = "stability")]
+pub mod stability;
+#[cfg(feature = "stability")]
+pub mod stability_figure;
 pub mod summary;
 pub mod text;
 pub mod words;

@@ -3,15 +3,25 @@
 //! Every eigenvalue comes with a bound of its error, so that an answer is as good as it says.
 
 mod ball;
+pub mod case;
+mod case_file;
+mod case_keys;
 pub mod closed_form;
+pub mod coefficient_table;
 pub mod companion;
+pub mod comparison;
 pub mod coordinate;
 pub mod eigenvalue;
 mod enclosure;
 pub mod error;
+pub mod input;
+pub mod interpolation;
 pub mod model;
 pub mod modes;
+pub mod quantities;
 mod schur;
 pub mod section;
 mod shape;
+pub mod spline;
+pub mod table_remarks;
 pub mod tracking;

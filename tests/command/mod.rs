@@ -1,6 +1,7 @@
 //! The command as a user runs it: what it prints where, and its exit status.
 
 mod generation;
+mod stability;
 
 use std::path::PathBuf;
 use std::process::{Command, Output};

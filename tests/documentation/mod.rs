@@ -20,11 +20,12 @@ use super::derivation::{Folder, audit_in, block};
 use page::{Page, read, root};
 
 /// The pages whose links and blocks are checked.
-const PAGES: [&str; 4] = [
+const PAGES: [&str; 5] = [
     "README.md",
     "ARCHITECTURE.md",
     "CONTRIBUTING.md",
     LANGUAGE_PAGE,
+    "derivations/cases/README.md",
 ];
 
 /// The page about the language.
@@ -163,7 +164,7 @@ fn the_quoted_output_is_that_of_the_command() {
         }
         commands.push(command.split(' ').next().unwrap_or_default());
     }
-    assert_eq!(commands, ["audit", "match", "evaluate"]);
+    assert_eq!(commands, ["audit", "match", "evaluate", "stability"]);
 }
 
 /// The evaluators of the README are generated, compiled and run as it says.

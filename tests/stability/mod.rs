@@ -1,7 +1,10 @@
 //! Numbers for sections, against exact arithmetic.
 
+mod cases;
 mod closed_form;
+mod comparison;
 mod eigenvalues;
+mod interpolation;
 mod oracle;
 mod sections;
 mod tracking;

@@ -6,7 +6,11 @@
 mod audit;
 mod evaluation;
 mod matching;
+#[cfg(feature = "stability")]
+mod modes;
 mod pairs;
+#[cfg(feature = "stability")]
+mod stability;
 
 use serde::Serialize;
 
@@ -16,6 +20,10 @@ use crate::derivation::syntax::Expression;
 pub use audit::{audits, explanation};
 pub use evaluation::{evaluation, evaluators};
 pub use matching::matchings;
+#[cfg(feature = "stability")]
+pub use modes::modes;
+#[cfg(feature = "stability")]
+pub use stability::comparison;
 
 /// Indented JSON, ended by a line break.
 fn write(document: &impl Serialize) -> String {

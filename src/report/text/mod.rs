@@ -10,13 +10,21 @@ mod explanation;
 mod expression;
 mod generation;
 mod matching;
+#[cfg(feature = "stability")]
+mod modes;
 mod page;
 mod palette;
 mod prose;
 mod run;
+#[cfg(feature = "stability")]
+mod stability;
 
 pub use audit::audit;
 pub use evaluation::{evaluation, evaluators};
 pub use explanation::explanation;
 pub use generation::{difference, generated};
 pub use matching::matching;
+#[cfg(feature = "stability")]
+pub use modes::modes;
+#[cfg(feature = "stability")]
+pub use stability::comparison;

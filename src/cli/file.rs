@@ -1,0 +1,69 @@
+//! One file: read as text within a limit, and written whole or not at all.
+
+use std::fs;
+use std::io::{self, ErrorKind, Read, Write};
+use std::path::Path;
+
+use super::Outcome;
+use super::output::wrong;
+
+/// Larger files are no case and no table.
+const LARGEST: u64 = 64 << 20;
+
+/// The text of a file, or the outcome after what is wrong with it was written to standard error.
+pub fn read_text(path: &Path, what: &str) -> Result<String, Outcome> {
+    let unreadable = |reason: &str| {
+        wrong(
+            &format!("`{}` cannot be read: {reason}", path.display()),
+            &format!("name {what}"),
+        )
+    };
+    let mut bytes = Vec::new();
+    let read = fs::File::open(path).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes));
+    read.map_err(|error| unreadable(&reason(&error)))?;
+    if bytes.len() as u64 > LARGEST {
+        return Err(unreadable("it is larger than 64 MiB"));
+    }
+    String::from_utf8(bytes).map_err(|_| unreadable("it is not in UTF-8: save it as such"))
+}
+
+/// Writes a file: whole, or not at all. What is no regular file, such as a pipe, is written to.
+///
+/// # Errors
+///
+/// If the folder is not there or cannot be written to, or the disk is full.
+pub fn write_text(path: &Path, text: &str) -> io::Result<()> {
+    match fs::metadata(path) {
+        Ok(known) if !known.is_file() => return fs::write(path, text),
+        _ => {}
+    }
+    // Behind a link it is the file that is replaced.
+    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".sextic-");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // As any other file, rather than for the user alone.
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    let mut file = builder.tempfile_in(folder)?;
+    file.write_all(text.as_bytes())?;
+    file.as_file().sync_all()?;
+    file.persist(&path).map_err(|error| error.error)?;
+    Ok(())
+}
+
+/// Why a file cannot be read or written, in a few words.
+pub fn reason(error: &io::Error) -> String {
+    match error.kind() {
+        ErrorKind::NotFound => "there is no such file or folder".to_owned(),
+        ErrorKind::IsADirectory => "it is a folder".to_owned(),
+        ErrorKind::PermissionDenied => "permission denied".to_owned(),
+        _ => error.to_string(),
+    }
+}

@@ -1,0 +1,195 @@
+//! `sextic modes`: the modes of one section by one method.
+
+use std::collections::BTreeMap;
+
+use clap::{Args, ValueEnum};
+use sextic_codegen::language::literal::Decimal;
+
+use crate::compile::fixed::Fixed;
+use crate::report::modes::ModesFound;
+use crate::report::{json, text};
+use crate::stability::closed_form::closed_form;
+use crate::stability::eigenvalue::Spectrum;
+use crate::stability::error::StabilityError;
+use crate::stability::model::Model;
+use crate::stability::quantities::{names, needed, parameters};
+use crate::stability::section::Section;
+use crate::stability::{companion, modes};
+
+use super::Outcome;
+use super::generate::{fixed, unknown};
+use super::output::{Results, finish, wrong};
+
+/// Computes the modes of one section in the wind
+///
+/// Eigenvalues are in 1/s, one of each pair of conjugates: the real part is the growth, the imaginary
+/// part the circular frequency. Quantities are in SI units, angles in radians, derivatives per radian;
+/// numbers are decimals or fractions.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// A quantity and its value; may be given several times
+    #[arg(long, value_name = "NAME=VALUE", value_parser = fixed, allow_hyphen_values = true)]
+    set: Vec<Fixed>,
+
+    /// How the modes are found
+    #[arg(long, value_enum, default_value_t = Method::State)]
+    method: Method,
+
+    /// How the numbers are written
+    #[arg(long, value_enum, default_value_t = Results::Text)]
+    format: Results,
+}
+
+/// How modes are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Method {
+    /// By the closed forms (21) to (23): perfect tuning, no structural damping
+    Closed,
+    /// By a form that holds at every eccentricity: not built yet
+    Uniform,
+    /// By exact algebra: not built yet
+    Exact,
+    /// By the companion matrix of the characteristic polynomial (19)
+    Companion,
+    /// By the state matrix (16)
+    State,
+}
+
+const EXAMPLES: &str = "\
+Names:
+  m, r, L_g, alpha_g, theta_0, omega_x, omega_y, omega_theta; zeta_x, zeta_y, zeta_theta unless the
+  method is closed; U, and unless it is 0: rho, D, alpha_0, L_a, gamma_r, C_D, C_L, C_M, dC_D, dC_L, dC_M
+
+Examples:
+  sextic modes --set m=3.5 --set r=0.0178 --set L_g=0.004 --set alpha_g=0.5 --set theta_0=0 \\
+    --set omega_x=6 --set omega_y=5.3 --set omega_theta=5.4 \\
+    --set zeta_x=0 --set zeta_y=0 --set zeta_theta=0 --set U=0
+  sextic modes … --method companion --format json | jq .eigenvalues";
+
+/// Finds the modes and writes them.
+pub fn run(arguments: &Arguments) -> Outcome {
+    match found(arguments) {
+        Err(outcome) => outcome,
+        Ok(found) => {
+            let written = match arguments.format {
+                Results::Text => text::modes(&found),
+                Results::Json => json::modes(&found),
+            };
+            finish(&written, Outcome::AsExpected)
+        }
+    }
+}
+
+fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
+    if let Method::Uniform | Method::Exact = arguments.method {
+        return Err(wrong(
+            "this method is not built yet",
+            "there are --method state, companion and closed",
+        ));
+    }
+    let values = values(&arguments.set)?;
+    let needed = needed(&values, arguments.method != Method::Closed);
+    let missing: Vec<&str> = needed
+        .iter()
+        .copied()
+        .filter(|name| !values.contains_key(*name))
+        .collect();
+    if !missing.is_empty() {
+        return Err(wrong(
+            &format!("the modes need {} too", missing.join(", ")),
+            "`--set name=value`, in SI units and radians",
+        ));
+    }
+    let refuse =
+        |error: StabilityError| wrong(&error.to_string(), "`sextic modes --help` names the units");
+    let section = Section::new(parameters(&values)).map_err(refuse)?;
+    let model = Model::new(&section).map_err(refuse)?;
+    let mut found = match arguments.method {
+        Method::Companion => by_spectrum("companion", companion::eigenvalues(&model), &section),
+        Method::Closed => {
+            let closed = closed_form(&model).map_err(|limitation| {
+                wrong(
+                    &limitation.to_string(),
+                    "`--method state` applies to every section",
+                )
+            })?;
+            Ok(ModesFound {
+                method: "closed",
+                eigenvalues: closed
+                    .eigenvalues
+                    .iter()
+                    .map(|value| (*value, None))
+                    .collect(),
+                damping_coefficient: section.damping_coefficient(closed.largest_real_part()),
+                warnings: closed.warnings.iter().map(ToString::to_string).collect(),
+            })
+        }
+        _ => by_spectrum("state", modes::eigenvalues(&model), &section),
+    }
+    .map_err(refuse)?;
+    let unused = values
+        .keys()
+        .filter(|name| !needed.contains(&name.as_str()));
+    let unused: Vec<&str> = unused.map(String::as_str).collect();
+    if !unused.is_empty() {
+        found
+            .warnings
+            .push(format!("{} did not matter", unused.join(", ")));
+    }
+    Ok(found)
+}
+
+fn by_spectrum(
+    method: &'static str,
+    spectrum: Result<Spectrum, StabilityError>,
+    section: &Section,
+) -> Result<ModesFound, StabilityError> {
+    let spectrum = spectrum?;
+    let damping = spectrum.damping_coefficient(section);
+    let is_undecided = damping.is_some_and(|(damping, error)| damping.abs() <= error);
+    let pairs = spectrum.one_of_each_pair();
+    Ok(ModesFound {
+        method,
+        eigenvalues: pairs.map(|own| (own.value, Some(own.error))).collect(),
+        damping_coefficient: damping.map(|(damping, _)| damping),
+        warnings: is_undecided
+            .then(|| "S_3D is smaller than its error: its sign is not certain".to_string())
+            .into_iter()
+            .collect(),
+    })
+}
+
+/// The values by name, in doubles.
+fn values(set: &[Fixed]) -> Result<BTreeMap<String, f64>, Outcome> {
+    let known: Vec<String> = names().map(str::to_string).collect();
+    let mut values = BTreeMap::new();
+    for number in set {
+        let name = &number.name;
+        if name.starts_with("S_") {
+            return Err(wrong(
+                &format!(
+                    "`{name}` is an entry of the scaled damping matrix, which is not taken yet"
+                ),
+                "give the coefficients C_D, C_L, C_M and their derivatives dC_D, dC_L, dC_M per radian",
+            ));
+        }
+        if !known.contains(name) {
+            return Err(unknown(
+                &format!("nothing is called `{name}`"),
+                name,
+                &known,
+            ));
+        }
+        let Some(value) = Decimal::nearest(&number.value) else {
+            return Err(wrong(
+                &format!("`{name}={}` is beyond the range of a double", number.text),
+                "quantities are in SI units",
+            ));
+        };
+        if values.insert(name.clone(), value.value).is_some() {
+            return Err(wrong(&format!("`{name}` is set twice"), "set it once"));
+        }
+    }
+    Ok(values)
+}

@@ -1,0 +1,130 @@
+//! `sextic stability`: where a section gallops, by every method.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+
+use crate::report::{csv, json, stability_figure, text};
+use crate::stability::case::Case;
+use crate::stability::coefficient_table::CoefficientTable;
+use crate::stability::comparison::{Comparison, compare};
+use crate::stability::input::InputError;
+
+use super::Outcome;
+use super::file::{read_text, reason, write_text};
+use super::output::{finish, width, wrong};
+
+/// Shows at which angles a section gallops, and how the methods agree
+///
+/// The case file names the section, its structure, the wind, the angles, and a table of force
+/// coefficients beside it. At each angle the damping coefficient S_3D = -4 m max(lambda_R)/(rho D U) is
+/// computed from the state matrix, from the characteristic polynomial, and by the closed forms
+/// (21) to (23); the section gallops where it is below 0.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// A case file, in TOML
+    #[arg(value_name = "CASE")]
+    case: PathBuf,
+
+    /// How the results are written
+    #[arg(long, value_enum, default_value_t = Curves::Text)]
+    format: Curves,
+
+    /// Also draw the curves, as SVG
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
+
+    /// How many columns text may fill (at least 40); as many as the terminal has if not given
+    #[arg(long, value_name = "COLUMNS", value_parser = clap::value_parser!(u16).range(40..))]
+    width: Option<u16>,
+}
+
+/// How curves are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Curves {
+    /// A page for a terminal: unstable ranges, agreement of the methods, warnings
+    Text,
+    /// A row an angle; an empty cell is a method that does not apply
+    Csv,
+    /// For programs, with bounds of all errors
+    Json,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  sextic stability case.toml
+  sextic stability case.toml --plot stability.svg
+  sextic stability case.toml --format csv > curves.csv
+
+A case file:
+  [section]
+  D = 0.05                        # reference dimension in m
+  m = 3.5                         # mass in kg/m
+  r = 0.0178                      # radius of gyration about the elastic centre in m
+  L_g = 0.004                     # from the elastic centre to the mass centre in m
+  alpha_g_deg = 0                 # and its angle in degrees
+  L_a = 0.03                      # to the aerodynamic centre in m
+  gamma_r_deg = 0                 # and its angle in degrees
+  coefficients = \"table.csv\"      # with the columns alpha_deg, CL, CD, CM
+  interpolation = \"cubic\"         # or \"linear\"
+  [structure]
+  f_x = 0.96                      # frequencies in Hz
+  f_y = 0.845
+  f_theta = 0.865
+  zeta_x = 0.008                  # damping ratios
+  zeta_y = 0.008
+  zeta_theta = 0.03
+  free = [\"x\", \"y\", \"theta\"]      # may be left out
+  [wind]
+  rho = 1.25                      # in kg/m³
+  U = 9                           # in m/s
+  [sweep]
+  alpha_deg = { from = 0, to = 180, step = 0.5 }
+  turn = \"section\"                # or \"wind\"
+
+Exit status:
+  0  the case was computed, whether the section gallops or not
+  2  the input is wrong, or a file cannot be written";
+
+/// Computes a case and writes it.
+pub fn run(arguments: &Arguments) -> Outcome {
+    let comparison = match comparison(&arguments.case) {
+        Ok(comparison) => comparison,
+        Err(outcome) => return outcome,
+    };
+    if let Some(path) = &arguments.plot {
+        let drawn = stability_figure::figure(&comparison).svg();
+        let written = drawn.and_then(|svg| write_text(path, &svg).map_err(|error| reason(&error)));
+        if let Err(reason) = written {
+            return wrong(
+                &format!("`{}` cannot be written: {reason}", path.display()),
+                "name a file in a folder that is there and that you may write to",
+            );
+        }
+    }
+    let written = match arguments.format {
+        Curves::Text => text::comparison(&comparison, width(arguments.width)),
+        Curves::Csv => csv::comparison(&comparison),
+        Curves::Json => json::comparison(&comparison),
+    };
+    finish(&written, Outcome::AsExpected)
+}
+
+/// A case from the disk, compared at all its angles.
+fn comparison(path: &Path) -> Result<Comparison, Outcome> {
+    let text = read_text(path, "a case file: `sextic stability --help` shows one")?;
+    let case = Case::read(&path.to_string_lossy(), &text).map_err(|error| refuse(&error))?;
+    let table = path.with_file_name(&case.coefficients);
+    let text = read_text(
+        &table,
+        &format!("a table in {}, relative to its folder", case.file),
+    )?;
+    let name = table.to_string_lossy();
+    let table = CoefficientTable::read(&name, &text).map_err(|error| refuse(&error))?;
+    compare(&case, &table).map_err(|error| refuse(&error))
+}
+
+fn refuse(error: &InputError) -> Outcome {
+    wrong(&format!("{}: {}", error.place, error.what), &error.help)
+}

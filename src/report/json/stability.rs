@@ -1,0 +1,174 @@
+//! `{"case", "free", "points": […], "unstable": […], "methods": […], "warnings": […]}`.
+
+use serde::Serialize;
+
+use crate::report::stability::{angle, reasons};
+use crate::stability::comparison::{
+    Agreement, AngleRange, Comparison, FollowedMode, Point, UnstableRange, Value,
+};
+use crate::stability::input::Remark;
+
+use super::write;
+
+#[derive(Serialize)]
+struct Compared<'a> {
+    case: &'a str,
+    free: Vec<&'a str>,
+    points: Vec<AtAngle<'a>>,
+    unstable: Vec<Unstable<'a>>,
+    undecided: Vec<Angles>,
+    methods: Vec<Agreed<'a>>,
+    warnings: Vec<Warning<'a>>,
+}
+
+#[derive(Serialize)]
+struct AtAngle<'a> {
+    alpha_deg: f64,
+    s3d: ByMethod,
+    modes: Vec<OneMode<'a>>,
+    warnings: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct ByMethod {
+    exact: Bounded,
+    companion: Option<Bounded>,
+    closed: Option<f64>,
+    uniform: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Bounded {
+    value: f64,
+    error: f64,
+}
+
+#[derive(Serialize)]
+struct OneMode<'a> {
+    mode: usize,
+    s: f64,
+    error: f64,
+    frequency_hz: f64,
+    mostly: &'a str,
+}
+
+#[derive(Serialize)]
+struct Angles {
+    from_deg: f64,
+    to_deg: f64,
+}
+
+#[derive(Serialize)]
+struct Unstable<'a> {
+    #[serde(flatten)]
+    angles: Angles,
+    worst_deg: f64,
+    s3d: f64,
+    error: f64,
+    mode: Option<OneMode<'a>>,
+}
+
+#[derive(Serialize)]
+struct Agreed<'a> {
+    method: &'a str,
+    answers: usize,
+    largest_difference: Option<f64>,
+    at_deg: Option<f64>,
+    largest_error: Option<f64>,
+    differs: Vec<Angles>,
+    opposite: Vec<Angles>,
+    reasons: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Warning<'a> {
+    file: &'a str,
+    line: Option<usize>,
+    what: &'a str,
+}
+
+/// A comparison, with all digits and with bounds of the errors.
+pub fn comparison(comparison: &Comparison) -> String {
+    write(&Compared {
+        case: &comparison.case.file,
+        free: comparison.free().iter().map(|own| own.name()).collect(),
+        points: comparison.points.iter().map(at_angle).collect(),
+        unstable: comparison.unstable.iter().map(unstable).collect(),
+        undecided: angles(&comparison.undecided),
+        methods: comparison.agreements.iter().map(agreed).collect(),
+        warnings: comparison.remarks.iter().map(warning).collect(),
+    })
+}
+
+fn at_angle(point: &Point) -> AtAngle<'_> {
+    AtAngle {
+        alpha_deg: angle(point.angle),
+        s3d: ByMethod {
+            exact: bounded(point.exact),
+            companion: point.companion.map(bounded),
+            closed: point.closed,
+            uniform: None,
+        },
+        modes: point.modes.iter().map(one_mode).collect(),
+        warnings: point.limitations.iter().map(ToString::to_string).collect(),
+    }
+}
+
+fn bounded(value: Value) -> Bounded {
+    Bounded {
+        value: value.value,
+        error: value.error,
+    }
+}
+
+fn one_mode(mode: &FollowedMode) -> OneMode<'_> {
+    OneMode {
+        mode: mode.label,
+        s: mode.damping.value,
+        error: mode.damping.error,
+        frequency_hz: mode.frequency,
+        mostly: mode.mostly.name(),
+    }
+}
+
+fn angles(ranges: &[AngleRange]) -> Vec<Angles> {
+    ranges.iter().map(|own| one_range(*own)).collect()
+}
+
+fn one_range(range: AngleRange) -> Angles {
+    Angles {
+        from_deg: angle(range.from),
+        to_deg: angle(range.to),
+    }
+}
+
+fn unstable(own: &UnstableRange) -> Unstable<'_> {
+    Unstable {
+        angles: one_range(own.angles),
+        worst_deg: angle(own.worst),
+        s3d: own.damping.value,
+        error: own.damping.error,
+        mode: own.mode.as_ref().map(one_mode),
+    }
+}
+
+fn agreed(own: &Agreement) -> Agreed<'_> {
+    Agreed {
+        method: own.method.name(),
+        answers: own.answers,
+        largest_difference: own.largest_difference.map(|(difference, _)| difference),
+        at_deg: own.largest_difference.map(|(_, place)| angle(place)),
+        largest_error: own.largest_error,
+        differs: angles(&own.differs),
+        opposite: angles(&own.opposite),
+        reasons: reasons(own),
+    }
+}
+
+fn warning(remark: &Remark) -> Warning<'_> {
+    Warning {
+        file: &remark.place.file,
+        line: remark.place.line,
+        what: &remark.what,
+    }
+}

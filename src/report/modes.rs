@@ -1,0 +1,16 @@
+//! The modes of one section by one method.
+
+use num_complex::Complex;
+
+/// What a method says of a section.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ModesFound {
+    /// The method: `closed`, `companion`, `state`.
+    pub method: &'static str,
+    /// λ in 1/s, one of each pair of conjugates, with a bound of its error if the method gives one.
+    pub eigenvalues: Vec<(Complex<f64>, Option<f64>)>,
+    /// S_3D; `None` without wind.
+    pub damping_coefficient: Option<f64>,
+    /// What speaks against the answer, and what was given in vain.
+    pub warnings: Vec<String>,
+}

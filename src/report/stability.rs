@@ -1,0 +1,126 @@
+//! A comparison of methods in words and numbers, said once for every view.
+
+use crate::stability::comparison::{
+    Agreement, AngleRange, Comparison, FollowedMode, Method, Point, Reason, Value,
+};
+
+/// The most decimals of a damping coefficient; the sines of another machine may change later ones.
+const MOST_DECIMALS: usize = 9;
+
+/// A number with the decimals that are certain, nine at most.
+pub fn certain(value: Value) -> String {
+    let decimals = -(2.0 * value.error).log10();
+    let decimals = decimals.floor().clamp(0.0, MOST_DECIMALS as f64) as usize;
+    decimal(value.value, decimals)
+}
+
+/// A number with so many decimals, and no sign before zero.
+pub fn decimal(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let is_zero = text.chars().all(|own| "-0.".contains(own));
+    match text.strip_prefix('-') {
+        Some(positive) if is_zero => positive.to_string(),
+        _ => text,
+    }
+}
+
+/// An angle of a sweep, without the rounding of its steps.
+pub fn angle(degrees: f64) -> f64 {
+    (degrees * 1e9).round() / 1e9
+}
+
+/// `at 10°`, `10° to 25°`.
+pub fn range(range: AngleRange) -> String {
+    let (from, to) = (angle(range.from), angle(range.to));
+    if from == to {
+        format!("at {from}°")
+    } else {
+        format!("{from}° to {to}°")
+    }
+}
+
+/// Ranges, the first five of them.
+pub fn ranges(all: &[AngleRange]) -> String {
+    let shown: Vec<String> = all.iter().take(5).map(|own| range(*own)).collect();
+    let rest = match all.len() {
+        0..=5 => String::new(),
+        more => format!(" and {} more", more - 5),
+    };
+    shown.join(", ") + &rest
+}
+
+/// What a case is, in one line.
+pub fn title(comparison: &Comparison) -> String {
+    let case = &comparison.case;
+    let names: Vec<&str> = comparison.free().iter().map(|own| own.name()).collect();
+    let free = match names.split_last() {
+        Some((last, [])) => format!("{last} is free"),
+        Some((last, others)) => format!("{} and {last} are free", others.join(", ")),
+        None => String::new(),
+    };
+    let angles = match (comparison.points.first(), comparison.points.last()) {
+        (Some(first), Some(last)) if comparison.points.len() > 1 => format!(
+            "{} angles from {}° to {}°",
+            comparison.points.len(),
+            angle(first.angle),
+            angle(last.angle)
+        ),
+        (Some(only), _) => format!("at {}°", angle(only.angle)),
+        _ => String::new(),
+    };
+    format!(
+        "{}: {angles}; {free}; U = {} m/s",
+        case.file, case.parameters.wind_speed
+    )
+}
+
+/// A mode: `2, mostly y`.
+pub fn mode(mode: &FollowedMode) -> String {
+    format!("{}, mostly {}", mode.label, mode.mostly.name())
+}
+
+/// What the state matrix is worth: the largest bound of its error.
+pub fn largest_error(points: &[Point]) -> f64 {
+    points
+        .iter()
+        .map(|point| point.exact.error)
+        .fold(0.0, f64::max)
+}
+
+/// How a method agrees with the state matrix, in one sentence.
+pub fn agreement(own: &Agreement, angles: usize) -> String {
+    let Some((difference, place)) = own.largest_difference else {
+        return "does not apply".to_string();
+    };
+    let difference = match own.method {
+        Method::Companion => format!("{difference:.0e}"),
+        Method::Closed => format!("{difference:.2}"),
+    };
+    let mut text = if own.differs.is_empty() {
+        format!("agrees, within {difference}")
+    } else {
+        let differs = ranges(&own.differs);
+        format!(
+            "differs by up to {difference} (at {}°): {differs}",
+            angle(place)
+        )
+    };
+    if let Some(error) = own.largest_error {
+        text += &format!("; the errors of both are at most {error:.0e}");
+    }
+    if !own.opposite.is_empty() {
+        text += &format!(
+            "; calls stable what is not, or the reverse: {}",
+            ranges(&own.opposite)
+        );
+    }
+    if own.answers < angles {
+        text += &format!("; no answer at {} angles", angles - own.answers);
+    }
+    text
+}
+
+/// Why: a sentence a reason.
+pub fn reasons(own: &Agreement) -> Vec<String> {
+    own.reasons.iter().map(Reason::to_string).collect()
+}

@@ -1,0 +1,61 @@
+//! The stability of a case as a figure: S by every method against the angle.
+
+use crate::stability::comparison::{Comparison, Point};
+
+use super::figure::{Curve, Figure, Stroke};
+use super::stability::title;
+
+/// S against the angle of attack by the state matrix, the companion matrix and the closed forms; what is
+/// below 0 is unstable, and shaded.
+pub fn figure(comparison: &Comparison) -> Figure {
+    let curve = |label: &str, stroke, value: &dyn Fn(&Point) -> Option<f64>| Curve {
+        label: label.into(),
+        stroke,
+        pieces: pieces(&comparison.points, value),
+    };
+    let curves = vec![
+        curve("state matrix", Stroke::Solid, &|point| {
+            Some(point.exact.value)
+        }),
+        curve("companion matrix", Stroke::Circles, &|point| {
+            point.companion.map(|own| own.value)
+        }),
+        curve("closed form (21)–(23)", Stroke::Dashed, &|point| {
+            point.closed
+        }),
+    ];
+    let name = match comparison.free().len() {
+        1 => "S₁D",
+        2 => "S₂D",
+        _ => "S₃D",
+    };
+    Figure {
+        title: {
+            let title = title(comparison);
+            let folder = comparison.case.file.rfind(['/', '\\']);
+            title[folder.map_or(0, |end| end + 1)..].to_string()
+        },
+        x_label: "angle of attack α (degrees)".into(),
+        y_label: format!("{name} = −4m max λ_R / (ρDU), dimensionless"),
+        shaded: Some("unstable".into()),
+        curves: curves
+            .into_iter()
+            .filter(|curve| !curve.pieces.is_empty())
+            .collect(),
+    }
+}
+
+/// The points that have a value, in pieces without a gap.
+fn pieces(points: &[Point], value: &dyn Fn(&Point) -> Option<f64>) -> Vec<Vec<(f64, f64)>> {
+    let groups = points.chunk_by(|one, other| value(one).is_some() == value(other).is_some());
+    let piece = |group: &[Point]| -> Vec<(f64, f64)> {
+        let pairs = group.iter();
+        pairs
+            .filter_map(|point| Some((point.angle, value(point)?)))
+            .collect()
+    };
+    groups
+        .map(piece)
+        .filter(|piece| !piece.is_empty())
+        .collect()
+}

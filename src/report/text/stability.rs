@@ -1,0 +1,117 @@
+//! Where a section gallops, and how the methods agree, for a terminal.
+
+use crate::report::stability::{
+    agreement, angle, decimal, largest_error, mode, range, ranges, reasons, title,
+};
+use crate::stability::comparison::{Comparison, Method};
+
+use super::page::Page;
+use super::palette::{FAINT, PLAIN, STRONG};
+use super::run::{Run, column};
+
+/// As wide as the widest name of a method.
+const METHODS: usize = 13;
+
+/// A page: unstable ranges, agreement of the methods, remarks.
+pub fn comparison(comparison: &Comparison, width: usize) -> String {
+    let mut page = Page::new(width);
+    page.prose(&[], &[Run::words(title(comparison), STRONG)]);
+    unstable(&mut page, comparison);
+    methods(&mut page, comparison);
+    if !comparison.remarks.is_empty() {
+        page.heading("Warnings");
+        for remark in &comparison.remarks {
+            page.prose(
+                &[super::run::spaces(2)],
+                &[Run::words(remark.to_string(), PLAIN)],
+            );
+        }
+    }
+    page.finish()
+}
+
+fn unstable(page: &mut Page, comparison: &Comparison) {
+    let name = comparison.coefficient_name();
+    if comparison.unstable.is_empty() {
+        page.gap();
+        let least = comparison
+            .points
+            .iter()
+            .min_by(|one, other| one.exact.value.total_cmp(&other.exact.value));
+        let least = least.map_or(String::new(), |point| {
+            let (value, place) = (decimal(point.exact.value, 4), angle(point.angle));
+            format!("; least {name} = {value} at {place}°")
+        });
+        page.prose(
+            &[],
+            &[Run::words(format!("No angle is unstable{least}."), PLAIN)],
+        );
+    } else {
+        page.heading("Unstable ranges");
+        row(
+            page,
+            ["angles", "worst at", &name, "frequency", "mode"],
+            true,
+        );
+        for own in &comparison.unstable {
+            let mode_of = own.mode.as_ref();
+            row(
+                page,
+                [
+                    &range(own.angles),
+                    &format!("{}°", angle(own.worst)),
+                    &decimal(own.damping.value, 4),
+                    &mode_of.map_or(String::new(), |mode| format!("{:.4} Hz", mode.frequency)),
+                    &mode_of.map_or(String::new(), mode),
+                ],
+                false,
+            );
+        }
+    }
+    if !comparison.undecided.is_empty() {
+        let undecided = ranges(&comparison.undecided);
+        let text = format!("Not decided, {name} being smaller than its error: {undecided}");
+        page.prose(&[], &[Run::words(text, PLAIN)]);
+    }
+}
+
+fn row(page: &mut Page, cells: [&str; 5], is_heading: bool) {
+    let style = if is_heading { FAINT } else { PLAIN };
+    let [angles, worst, damping, frequency, mode] = cells;
+    let prefix = [
+        column("", 2, style),
+        column(angles, 20, style),
+        column(worst, 11, style),
+        column(damping, 11, style),
+        column(frequency, 12, style),
+    ];
+    page.prose(&prefix.concat(), &[Run::words(mode, style)]);
+}
+
+fn methods(page: &mut Page, comparison: &Comparison) {
+    page.heading("Methods");
+    let mut line = |name: &str, text: String| {
+        page.prose(
+            &column(&format!("  {name}"), METHODS, FAINT),
+            &[Run::words(text, PLAIN)],
+        );
+    };
+    let name = comparison.coefficient_name();
+    let error = largest_error(&comparison.points);
+    line(
+        "exact",
+        format!("state matrix, Eq. (16); {name} is certain to {error:.0e}"),
+    );
+    for own in &comparison.agreements {
+        let source = match own.method {
+            Method::Companion => "Eq. (19)",
+            Method::Closed => "Eqs. (21)–(23)",
+        };
+        let text = agreement(own, comparison.points.len());
+        line(own.method.name(), format!("{source}: {text}"));
+        for reason in reasons(own) {
+            line("", format!("because {reason}"));
+        }
+    }
+    line("uniform", "not built yet".to_string());
+}

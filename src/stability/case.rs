@@ -1,0 +1,265 @@
+//! A case: a section in the wind and the angles at which it is looked at, as an engineer writes it down.
+
+use serde::Deserialize;
+
+use super::case_file::File;
+use super::case_keys::{Lines, check_keys, not_read};
+use super::error::StabilityError;
+use super::input::{InputError, Place};
+use super::interpolation::Interpolation;
+use super::section::{Coefficients, Parameters, Section};
+
+/// A case file, read and checked.
+///
+/// The file is TOML: lengths in m, masses in kg/m, frequencies in Hz, angles in degrees.
+///
+/// ```
+/// use sextic::stability::case::Case;
+///
+/// let text = r#"
+/// [section]
+/// D = 0.05
+/// m = 3.5
+/// r = 0.0178
+/// L_g = 0.004
+/// alpha_g_deg = 10
+/// L_a = 0.03
+/// gamma_r_deg = 0
+/// coefficients = "table.csv"
+/// interpolation = "cubic"
+/// [structure]
+/// f_x = 0.96
+/// f_y = 0.845
+/// f_theta = 0.865
+/// zeta_x = 0.008
+/// zeta_y = 0.008
+/// zeta_theta = 0.03
+/// [wind]
+/// rho = 1.25
+/// U = 9
+/// [sweep]
+/// alpha_deg = { from = 0, to = 180, step = 0.5 }
+/// turn = "section"
+/// "#;
+/// let case = Case::read("case.toml", text)?;
+/// assert_eq!(case.sweep.angles().len(), 361);
+///
+/// let error = Case::read("case.toml", &text.replace("alpha_g_deg", "alpha_g")).unwrap_err();
+/// assert_eq!(
+///     error.to_string(),
+///     "case.toml:7: there is no key `alpha_g` in [section]: write alpha_g_deg, in degrees"
+/// );
+/// # Ok::<(), sextic::stability::input::InputError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Case {
+    /// The file as the user named it.
+    pub file: String,
+    /// All that does not change with the angle; coefficients, α_0 and θ_0 are 0.
+    pub parameters: Parameters,
+    /// The coefficient table, relative to the folder of the case file.
+    pub coefficients: String,
+    /// How the table is read between its angles.
+    pub interpolation: Interpolation,
+    /// The angles.
+    pub sweep: Sweep,
+}
+
+/// The angles of attack at which a section is looked at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sweep {
+    /// The first angle, in degrees.
+    pub from: f64,
+    /// The last angle, in degrees, unless the steps miss it.
+    pub to: f64,
+    /// From one to the next, in degrees.
+    pub step: f64,
+    /// What is turned.
+    pub turn: Turn,
+}
+
+/// What turns when the angle of attack α = α_0 + θ_0 changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Turn {
+    /// The section: θ_0 = α, α_0 = 0.
+    Section,
+    /// The wind: α_0 = α, θ_0 = 0.
+    Wind,
+}
+
+/// The most angles of a sweep.
+pub const MOST_ANGLES: usize = 1_000_000;
+
+impl Sweep {
+    /// The angles in degrees: from, from + step, …, up to `to`.
+    pub fn angles(&self) -> Vec<f64> {
+        // A step that fits but for its rounding still counts.
+        let steps = ((self.to - self.from) / self.step + 1e-9).floor();
+        let steps = (steps as usize).min(MOST_ANGLES - 1);
+        (0..=steps)
+            .map(|place| (self.from + place as f64 * self.step).min(self.to))
+            .collect()
+    }
+}
+
+impl Case {
+    /// Reads the text of a case file; `file` is its name in messages.
+    ///
+    /// # Errors
+    ///
+    /// What cannot be read, is not known, is missing or is out of its range, with its line.
+    pub fn read(file: &str, text: &str) -> Result<Self, InputError> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let lines = check_keys(file, text)?;
+        let read: File = toml::from_str(text).map_err(|error| not_read(file, text, &error))?;
+        let section = read.section;
+        let case = Case {
+            file: file.into(),
+            parameters: Parameters {
+                mass: section.m,
+                radius_of_gyration: section.r,
+                mass_centre_distance: section.L_g,
+                mass_centre_angle: section.alpha_g_deg.to_radians(),
+                aerodynamic_centre_distance: section.L_a,
+                aerodynamic_centre_angle: section.gamma_r_deg.to_radians(),
+                reference_dimension: section.D,
+                air_density: read.wind.rho,
+                wind_speed: read.wind.U,
+                wind_angle: 0.0,
+                attitude: 0.0,
+                coefficients: Coefficients::default(),
+                ..read.structure.parameters(file, &lines)?
+            },
+            coefficients: section.coefficients,
+            interpolation: section.interpolation,
+            sweep: Sweep {
+                from: read.sweep.alpha_deg.from,
+                to: read.sweep.alpha_deg.to,
+                step: read.sweep.alpha_deg.step,
+                turn: read.sweep.turn,
+            },
+        };
+        case.check(&lines)?;
+        Ok(case)
+    }
+
+    /// The section at an angle of attack in degrees, with the coefficients there.
+    ///
+    /// # Errors
+    ///
+    /// As [`Section::new`].
+    pub fn section(
+        &self,
+        alpha_deg: f64,
+        coefficients: Coefficients,
+    ) -> Result<Section, StabilityError> {
+        let alpha = alpha_deg.to_radians();
+        let (wind_angle, attitude) = match self.sweep.turn {
+            Turn::Section => (0.0, alpha),
+            Turn::Wind => (alpha, 0.0),
+        };
+        Section::new(Parameters {
+            wind_angle,
+            attitude,
+            coefficients,
+            ..self.parameters.clone()
+        })
+    }
+
+    fn check(&self, lines: &Lines) -> Result<(), InputError> {
+        Section::new(self.parameters.clone()).map_err(|error| self.impossible(&error, lines))?;
+        let Sweep { from, to, step, .. } = self.sweep;
+        let what = if ![from, to, step].iter().all(|number| number.is_finite()) {
+            format!("the sweep from {from} to {to} in steps of {step} is not finite")
+        } else if step <= 0.0 {
+            format!("the step of the sweep is {step}, which is not above 0")
+        } else if to < from {
+            format!("the sweep ends at {to}, before it begins at {from}")
+        } else if (to - from) / step >= MOST_ANGLES as f64 {
+            format!("the sweep has more than {MOST_ANGLES} angles")
+        } else {
+            return Ok(());
+        };
+        let place = lines.place(&self.file, "sweep", "alpha_deg");
+        let help = "write alpha_deg = { from = 0, to = 180, step = 0.5 }, in degrees";
+        Err(InputError::new(place, what, help))
+    }
+
+    /// What is wrong with a parameter, by the names and units of a case file.
+    fn impossible(&self, error: &StabilityError, lines: &Lines) -> InputError {
+        let StabilityError::Parameter {
+            name,
+            value,
+            must_be,
+        } = error
+        else {
+            return InputError::new(
+                Place::file(&self.file),
+                error.to_string(),
+                "correct the case",
+            );
+        };
+        let turn = std::f64::consts::TAU;
+        let frequency =
+            |key: &'static str| ("structure", key, value / turn, "frequencies are in Hz");
+        let (table, key, value, help) = match *name {
+            "omega_x" => frequency("f_x"),
+            "omega_y" => frequency("f_y"),
+            "omega_theta" => frequency("f_theta"),
+            "zeta_x" | "zeta_y" | "zeta_theta" => (
+                "structure",
+                *name,
+                *value,
+                "damping ratios are fractions: 0.8 % is 0.008",
+            ),
+            "alpha_g" => (
+                "section",
+                "alpha_g_deg",
+                value.to_degrees(),
+                "angles are in degrees",
+            ),
+            "gamma_r" => (
+                "section",
+                "gamma_r_deg",
+                value.to_degrees(),
+                "angles are in degrees",
+            ),
+            "rho" => (
+                "wind",
+                "rho",
+                *value,
+                "in kg/m³; air at the ground has about 1.2",
+            ),
+            "U" => ("wind", "U", *value, "in m/s"),
+            "m" => ("section", "m", *value, "in kg/m"),
+            _ => ("section", *name, *value, "lengths are in m"),
+        };
+        let place = lines.place(&self.file, table, key);
+        InputError::new(place, format!("{key} = {value} must be {must_be}"), help)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_angle_is_reached_in_spite_of_rounding() {
+        let sweep = |from, to, step| {
+            let turn = Turn::Section;
+            Sweep {
+                from,
+                to,
+                step,
+                turn,
+            }
+            .angles()
+        };
+        assert_eq!(sweep(0.0, 0.3, 0.1).len(), 4);
+        assert_eq!(sweep(0.0, 1.0, 0.3).last(), Some(&0.8999999999999999));
+        assert_eq!(sweep(5.0, 5.0, 1.0), [5.0]);
+        assert_eq!(sweep(0.0, 180.0, 0.05).len(), 3601);
+        assert_eq!(sweep(0.0, 0.3, 0.1).last(), Some(&0.3));
+    }
+}

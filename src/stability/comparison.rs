@@ -1,0 +1,109 @@
+//! A case at all its angles, by every method, side by side.
+
+mod agreement;
+mod point;
+mod range;
+
+pub use agreement::{Agreement, Method, Reason};
+pub use point::{FollowedMode, Point, Value};
+pub use range::{AngleRange, UnstableRange};
+
+use super::case::Case;
+use super::coefficient_table::CoefficientTable;
+use super::coordinate::Coordinate;
+use super::input::{InputError, Place, Remark};
+use super::interpolation::CoefficientCurves;
+use super::table_remarks::remarks;
+use super::tracking::Mode;
+
+/// What the methods say of a case, at the angles of its sweep.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// The case.
+    pub case: Case,
+    /// The angles in order, with the answers of all methods.
+    pub points: Vec<Point>,
+    /// Where the section gallops for certain, by the state matrix.
+    pub unstable: Vec<UnstableRange>,
+    /// Where the error of S is larger than S: neither stable nor unstable for certain.
+    pub undecided: Vec<AngleRange>,
+    /// How each of the other methods agrees with the state matrix.
+    pub agreements: Vec<Agreement>,
+    /// What is odd about the input.
+    pub remarks: Vec<Remark>,
+}
+
+/// Compares the methods at all angles of a case.
+///
+/// The curve of S is the damping coefficient −4 m max λ_R/(ρ D U), Eq. (13): the exact one by the state
+/// matrix, Eq. (16), with the structural damping as given; that of the companion matrix, Eq. (19); that of
+/// the closed forms (21)–(23), where they apply. Modes are numbered by their frequency at the first angle,
+/// the highest first, and followed by their shapes.
+///
+/// Linear in the number of angles: at each, two eigenvalue problems of at most 6×6.
+///
+/// # Errors
+///
+/// If there is no wind, if an angle is outside of the table, or if a section has no answer.
+pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, InputError> {
+    let file = Place::file(&case.file);
+    if case.parameters.wind_speed == 0.0 {
+        let what = "U = 0: there is no wind, and S is a damping over the wind speed";
+        return Err(InputError::new(file, what, "give a wind speed above 0"));
+    }
+    let curves = CoefficientCurves::new(table, case.interpolation);
+    let angles = case.sweep.angles();
+    let mut points = Vec::with_capacity(angles.len());
+    let mut before: Vec<(usize, Mode)> = Vec::new();
+    for &angle in &angles {
+        let coefficients = curves.at(angle).map_err(|outside| {
+            let help = format!("shorten the sweep in {}, or complete the table", case.file);
+            InputError::new(Place::file(table.file()), outside.to_string(), help)
+        })?;
+        let point = case
+            .section(angle, coefficients)
+            .and_then(|section| point::point(angle, &section, &mut before));
+        points.push(point.map_err(|error| {
+            let what = format!("at {angle}°: {error}");
+            InputError::new(file.clone(), what, "correct the case or its table")
+        })?);
+    }
+    let mut remarks = remarks(table);
+    let corners = curves.corners(&angles);
+    if corners > 0 {
+        remarks.push(Remark {
+            place: file,
+            what: format!(
+                "{corners} of the {} angles of the sweep are corners of the straight lines through the table; \
+                 the derivative there is that of the cell above",
+                angles.len()
+            ),
+        });
+    }
+    Ok(Comparison {
+        case: case.clone(),
+        unstable: range::unstable(&points),
+        undecided: range::undecided(&points),
+        agreements: agreement::agreements(&points),
+        points,
+        remarks,
+    })
+}
+
+impl Comparison {
+    /// The most modes that any point has.
+    pub fn mode_count(&self) -> usize {
+        let labels = self.points.iter().flat_map(|point| &point.modes);
+        labels.map(|mode| mode.label).max().unwrap_or(0)
+    }
+
+    /// The free coordinates, in order.
+    pub fn free(&self) -> &[Coordinate] {
+        self.case.parameters.free.as_slice()
+    }
+
+    /// The name of the largest S of all modes: `S_3D`, `S_2D` or `S_1D`, after the free coordinates.
+    pub fn coefficient_name(&self) -> String {
+        format!("S_{}D", self.free().len())
+    }
+}

@@ -1,0 +1,217 @@
+//! How far another method agrees with the state matrix, and why it does not.
+
+use std::fmt;
+
+use super::point::{Point, Value};
+use super::range::{AngleRange, ranges};
+use crate::stability::closed_form::Limitation;
+
+/// A method other than the state matrix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// The companion matrix of the characteristic polynomial, Eq. (19).
+    Companion,
+    /// The closed forms, Eqs. (21)–(23).
+    Closed,
+}
+
+impl Method {
+    /// The name in files: `companion`, `closed`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Companion => "companion",
+            Method::Closed => "closed",
+        }
+    }
+}
+
+/// Why a method differs from the state matrix, or has no answer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Reason {
+    /// A coordinate is held.
+    NotAllFree,
+    /// The natural frequencies differ.
+    NotTuned,
+    /// Structural damping is left out.
+    StructuralDamping,
+    /// e ≤ δ|S_a|.
+    Eccentricity {
+        /// e = L_g/r.
+        eccentricity: f64,
+        /// The largest δ|S_a| of the sweep.
+        damping: f64,
+    },
+    /// None of these: what is of second order in the damping is left out.
+    FirstOrder {
+        /// The largest (δ|S_a|/e)² where they differ.
+        second_order: f64,
+    },
+    /// The rounding of the coefficients moves the roots.
+    IllConditioned {
+        /// The largest bound of the error of S.
+        error: f64,
+    },
+    /// No eigenvalues with a bounded error were found.
+    NoAnswer,
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Reason::NotAllFree => write!(formatter, "not x, y and theta are all free"),
+            Reason::NotTuned => write!(
+                formatter,
+                "not perfectly tuned: f_x, f_y and f_theta differ"
+            ),
+            Reason::StructuralDamping => write!(
+                formatter,
+                "there is structural damping, which the closed form leaves out"
+            ),
+            Reason::Eccentricity {
+                eccentricity,
+                damping,
+            } => write!(
+                formatter,
+                "the eccentricity L_g/r = {eccentricity:.3} is not above the aerodynamic damping δ|S_a|, up to \
+                 {damping:.3}: the closed form is out of its domain"
+            ),
+            Reason::FirstOrder { second_order } => write!(
+                formatter,
+                "the closed form is of first order: what it leaves out is of the order of \
+                 (δ|S_a| r/L_g)², up to {second_order:.2}"
+            ),
+            Reason::IllConditioned { error } => write!(
+                formatter,
+                "the companion matrix is ill-conditioned: rounding its coefficients moves S by up to {error:.0e}"
+            ),
+            Reason::NoAnswer => write!(formatter, "no eigenvalues with a bounded error were found"),
+        }
+    }
+}
+
+/// How a method agrees with the state matrix over a sweep.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Agreement {
+    /// The method.
+    pub method: Method,
+    /// At how many angles it has an answer.
+    pub answers: usize,
+    /// The largest difference of S and its angle in degrees; `None` without an answer.
+    pub largest_difference: Option<(f64, f64)>,
+    /// The largest bound of the errors of both, if the method has one.
+    pub largest_error: Option<f64>,
+    /// Where it differs by more than the errors of both and 1 % of the largest |S|.
+    pub differs: Vec<AngleRange>,
+    /// Where it calls stable what is unstable for certain, or the reverse.
+    pub opposite: Vec<AngleRange>,
+    /// Why it differs or has no answer, in the order in which one should look.
+    pub reasons: Vec<Reason>,
+}
+
+/// A method differs notably by this share of the largest |S| of the sweep.
+const NOTABLE: f64 = 0.01;
+
+/// Fewer certain digits than six, as a share of the largest |S|, are an ill-conditioned matrix.
+const ILL_CONDITIONED: f64 = 1e-6;
+
+/// How both other methods agree with the state matrix.
+pub(super) fn agreements(points: &[Point]) -> Vec<Agreement> {
+    vec![
+        agreement(points, Method::Companion, |point| point.companion),
+        agreement(points, Method::Closed, |point| {
+            // The rounding of a formula of a few operations.
+            point.closed.map(|value| Value {
+                value,
+                error: 1e-12 * value.abs(),
+            })
+        }),
+    ]
+}
+
+fn agreement(
+    points: &[Point],
+    method: Method,
+    answer: impl Fn(&Point) -> Option<Value>,
+) -> Agreement {
+    let sizes = points.iter().map(|point| point.exact.value.abs());
+    let size = sizes.fold(0.0, f64::max);
+    let difference = |point: &Point| Some((answer(point)?.value - point.exact.value).abs());
+    let errors = |point: &Point| Some(answer(point)?.error + point.exact.error);
+    let differs = |point: &Point| {
+        let both = difference(point).zip(errors(point));
+        both.is_some_and(|(difference, errors)| difference > errors + NOTABLE * size)
+    };
+    let is_opposite = |point: &Point| {
+        answer(point).is_some_and(|other| {
+            let own = point.exact;
+            own.value.abs() > own.error
+                && other.value.abs() > other.error
+                && (own.value < 0.0) != (other.value < 0.0)
+        })
+    };
+    let answers = points
+        .iter()
+        .filter(|point| answer(point).is_some())
+        .count();
+    let largest = |number: &dyn Fn(&Point) -> Option<f64>| {
+        let numbers = points
+            .iter()
+            .filter_map(|point| Some((number(point)?, point.angle)));
+        numbers.reduce(|one, other| if other.0 > one.0 { other } else { one })
+    };
+    let wrong: Vec<&Point> = points
+        .iter()
+        .filter(|point| differs(point) || is_opposite(point) || answer(point).is_none())
+        .collect();
+    let largest_error = largest(&errors).map(|(error, _)| error);
+    let reasons = match method {
+        Method::Closed => closed_reasons(&wrong),
+        Method::Companion => {
+            let ill = largest_error.filter(|error| *error > ILL_CONDITIONED * size);
+            let none = (answers < points.len()).then_some(Reason::NoAnswer);
+            let ill = ill.map(|error| Reason::IllConditioned { error });
+            none.into_iter().chain(ill).collect()
+        }
+    };
+    Agreement {
+        method,
+        answers,
+        largest_difference: largest(&difference),
+        largest_error: largest_error.filter(|_| method == Method::Companion),
+        differs: ranges(points, differs),
+        opposite: ranges(points, is_opposite),
+        reasons,
+    }
+}
+
+/// Why the closed form is wrong at these points.
+fn closed_reasons(wrong: &[&Point]) -> Vec<Reason> {
+    let all = || wrong.iter().flat_map(|point| &point.limitations);
+    let mut reasons = Vec::new();
+    if all().any(|own| *own == Limitation::NotAllFree) {
+        reasons.push(Reason::NotAllFree);
+    }
+    if all().any(|own| *own == Limitation::NotTuned) {
+        reasons.push(Reason::NotTuned);
+    }
+    if all().any(|own| *own == Limitation::StructuralDamping) {
+        reasons.push(Reason::StructuralDamping);
+    }
+    let eccentric = all().filter_map(|own| match own {
+        Limitation::Eccentricity {
+            eccentricity,
+            damping,
+        } => Some((*eccentricity, *damping)),
+        _ => None,
+    });
+    let worst = eccentric.reduce(|one, other| if other.1 > one.1 { other } else { one });
+    reasons.extend(worst.map(|(eccentricity, damping)| Reason::Eccentricity {
+        eccentricity,
+        damping,
+    }));
+    let unexplained = wrong.iter().filter(|point| point.limitations.is_empty());
+    let orders = unexplained.map(|point| point.second_order);
+    let second_order = orders.reduce(f64::max);
+    reasons.extend(second_order.map(|second_order| Reason::FirstOrder { second_order }));
+    reasons
+}

@@ -1,0 +1,69 @@
+//! Angles in a row that have something in common.
+
+use super::point::{FollowedMode, Point, Value};
+
+/// From one angle of a sweep to another, both included, in degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AngleRange {
+    /// The first angle.
+    pub from: f64,
+    /// The last angle.
+    pub to: f64,
+}
+
+/// Where a section gallops.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UnstableRange {
+    /// The angles of the sweep.
+    pub angles: AngleRange,
+    /// The angle with the least damping, in degrees.
+    pub worst: f64,
+    /// S there.
+    pub damping: Value,
+    /// The mode with the least damping there.
+    pub mode: Option<FollowedMode>,
+}
+
+/// The points for which something holds, in runs without a gap.
+fn runs(points: &[Point], holds: impl Fn(&Point) -> bool) -> Vec<&[Point]> {
+    let groups = points.chunk_by(|one, other| holds(one) == holds(other));
+    groups.filter(|group| group.iter().all(&holds)).collect()
+}
+
+/// The ranges of the points for which something holds.
+pub(super) fn ranges(points: &[Point], holds: impl Fn(&Point) -> bool) -> Vec<AngleRange> {
+    runs(points, holds).into_iter().filter_map(range).collect()
+}
+
+fn range(run: &[Point]) -> Option<AngleRange> {
+    Some(AngleRange {
+        from: run.first()?.angle,
+        to: run.last()?.angle,
+    })
+}
+
+/// Where S is below 0 for certain.
+pub(super) fn unstable(points: &[Point]) -> Vec<UnstableRange> {
+    let is_unstable = |point: &Point| point.exact.value < -point.exact.error;
+    let of = |run: &[Point]| {
+        let damping = |point: &&Point| point.exact.value;
+        let worst = run
+            .iter()
+            .min_by(|one, other| damping(one).total_cmp(&damping(other)))?;
+        Some(UnstableRange {
+            angles: range(run)?,
+            worst: worst.angle,
+            damping: worst.exact,
+            mode: worst.critical().copied(),
+        })
+    };
+    runs(points, is_unstable)
+        .into_iter()
+        .filter_map(of)
+        .collect()
+}
+
+/// Where the error of S is as large as S.
+pub(super) fn undecided(points: &[Point]) -> Vec<AngleRange> {
+    ranges(points, |point| point.exact.value.abs() <= point.exact.error)
+}

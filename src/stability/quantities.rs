@@ -1,0 +1,87 @@
+//! A section by the names of its quantities, as they stand on the command line.
+
+use std::collections::BTreeMap;
+
+use super::coordinate::FreeCoordinates;
+use super::section::{Coefficients, Parameters};
+
+/// The names of what a section always needs, in SI units and radians.
+const STRUCTURE: [&str; 8] = [
+    "m",
+    "r",
+    "L_g",
+    "alpha_g",
+    "theta_0",
+    "omega_x",
+    "omega_y",
+    "omega_theta",
+];
+
+/// The structural damping ratios, which the closed forms leave out.
+const DAMPING: [&str; 3] = ["zeta_x", "zeta_y", "zeta_theta"];
+
+/// What is needed where there is wind; derivatives are per radian.
+const WIND: [&str; 11] = [
+    "rho", "D", "alpha_0", "L_a", "gamma_r", "C_D", "C_L", "C_M", "dC_D", "dC_L", "dC_M",
+];
+
+/// The names of all quantities of a section.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    let speed = ["U"];
+    STRUCTURE
+        .into_iter()
+        .chain(DAMPING)
+        .chain(speed)
+        .chain(WIND)
+}
+
+/// The names of what is needed for a section with these values: without wind, and without structural
+/// damping, less.
+pub fn needed(values: &BTreeMap<String, f64>, with_damping: bool) -> Vec<&'static str> {
+    let is_calm = values.get("U") == Some(&0.0);
+    let is_needed = |name: &&str| {
+        (with_damping || !DAMPING.contains(name)) && !(is_calm && WIND.contains(name))
+    };
+    names().filter(is_needed).collect()
+}
+
+/// The parameters of a section with all coordinates free. What is not among the values is 0, or 1 where it
+/// may not be 0: it is for the caller to ask for what is [`needed`].
+///
+/// ```
+/// use std::collections::BTreeMap;
+/// use sextic::stability::quantities::parameters;
+///
+/// let values = BTreeMap::from([("m".to_string(), 3.5), ("omega_y".to_string(), 5.3)]);
+/// let parameters = parameters(&values);
+/// assert_eq!(parameters.mass, 3.5);
+/// assert_eq!(parameters.natural_frequencies[1], 5.3);
+/// ```
+pub fn parameters(values: &BTreeMap<String, f64>) -> Parameters {
+    let or = |name: &str, other: f64| values.get(name).copied().unwrap_or(other);
+    let of = |name: &str| or(name, 0.0);
+    Parameters {
+        mass: of("m"),
+        radius_of_gyration: of("r"),
+        mass_centre_distance: of("L_g"),
+        mass_centre_angle: of("alpha_g"),
+        aerodynamic_centre_distance: of("L_a"),
+        aerodynamic_centre_angle: of("gamma_r"),
+        reference_dimension: or("D", 1.0),
+        natural_frequencies: [of("omega_x"), of("omega_y"), of("omega_theta")],
+        damping_ratios: [of("zeta_x"), of("zeta_y"), of("zeta_theta")],
+        air_density: or("rho", 1.0),
+        wind_speed: of("U"),
+        wind_angle: of("alpha_0"),
+        attitude: of("theta_0"),
+        coefficients: Coefficients {
+            drag: of("C_D"),
+            lift: of("C_L"),
+            moment: of("C_M"),
+            drag_slope: of("dC_D"),
+            lift_slope: of("dC_L"),
+            moment_slope: of("dC_M"),
+        },
+        free: FreeCoordinates::all(),
+    }
+}

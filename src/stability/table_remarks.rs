@@ -1,0 +1,220 @@
+//! What is odd about a coefficient table: looked for before it is used.
+
+use super::coefficient_table::{CoefficientTable, Row};
+use super::input::{Place, Remark};
+
+/// Steps above this, in degrees, are said to distort the range in which a section gallops.
+const LONGEST_GOOD_STEP: f64 = 3.0;
+
+/// A coefficient below this share of the largest one counts as 0.
+const NOTHING: f64 = 1e-3;
+
+/// The name of a coefficient, and how it is found in a row.
+type Column = (&'static str, fn(&Row) -> f64);
+
+const LIFT: Column = ("CL", |row| row.lift);
+const DRAG: Column = ("CD", |row| row.drag);
+const MOMENT: Column = ("CM", |row| row.moment);
+
+/// What is odd about a table, in the order in which one should look at it.
+///
+/// Looked for are angles that seem to be in radians, derivatives that seem to be per degree, steps too
+/// coarse for derivatives, and jumps at 0°, 180° and 360° of a curve that is its own mirror image.
+/// Quadratic in the number of rows, at 360 of them 0.1 ms.
+pub fn remarks(table: &CoefficientTable) -> Vec<Remark> {
+    let mut remarks = Vec::new();
+    remarks.extend(radians(table));
+    remarks.extend(given_slopes(table));
+    remarks.extend(coarse_steps(table));
+    remarks.extend(jumps(table));
+    remarks
+}
+
+fn radians(table: &CoefficientTable) -> Option<Remark> {
+    let rows = table.rows();
+    let (first, last) = (rows[0], rows[rows.len() - 1]);
+    let largest = first.angle.abs().max(last.angle.abs());
+    let is_pi = |angle: f64| {
+        let turns = angle / std::f64::consts::PI;
+        (turns - turns.round()).abs() < 2e-3 && turns.round() != 0.0
+    };
+    (largest < 6.3 && (is_pi(first.angle) || is_pi(last.angle))).then(|| Remark {
+        place: Place::line(table.file(), last.line),
+        what: format!(
+            "alpha_deg goes from {} to {}, which looks like radians; it is read as degrees",
+            first.angle, last.angle
+        ),
+    })
+}
+
+/// Columns of derivatives against the slopes of the table, by least squares.
+fn given_slopes(table: &CoefficientTable) -> Vec<Remark> {
+    let rows = table.rows();
+    let remark = |slopes: &super::coefficient_table::GivenSlopes| {
+        let (name, column) = match slopes.name {
+            "dCL" => LIFT,
+            "dCD" => DRAG,
+            _ => MOMENT,
+        };
+        let (mut product, mut square) = (0.0, 0.0);
+        for i in 1..rows.len() - 1 {
+            let (left, right) = (rows[i - 1], rows[i + 1]);
+            let rise = column(&right) - column(&left);
+            let own = rise / (right.angle - left.angle).to_radians();
+            product += own * slopes.values[i];
+            square += own * own;
+        }
+        let ratio = product / square;
+        let per_degree = 1_f64.to_radians();
+        let seen = if (ratio / per_degree - 1.0).abs() < 0.25 {
+            format!(
+                " and looks like the derivative per degree: it is {ratio:.4} of that of {name} per radian"
+            )
+        } else if (ratio - 1.0).abs() > 0.25 {
+            format!(" and does not fit: it is {ratio:.4} of the derivative of {name} per radian")
+        } else {
+            String::new()
+        };
+        Remark {
+            place: Place::file(table.file()),
+            what: format!(
+                "the column {} is not used{seen}; derivatives are those of the interpolation, per radian",
+                slopes.name
+            ),
+        }
+    };
+    table.given_slopes().iter().map(remark).collect()
+}
+
+/// The slopes of a column in the cells of a table, per radian.
+fn slopes(rows: &[Row], column: fn(&Row) -> f64) -> Vec<f64> {
+    rows.windows(2)
+        .map(|pair| {
+            (column(&pair[1]) - column(&pair[0])) / (pair[1].angle - pair[0].angle).to_radians()
+        })
+        .collect()
+}
+
+fn coarse_steps(table: &CoefficientTable) -> Option<Remark> {
+    let rows = table.rows();
+    let longest = rows
+        .windows(2)
+        .max_by(|one, other| {
+            let width = |pair: &[Row]| pair[1].angle - pair[0].angle;
+            width(one).total_cmp(&width(other))
+        })
+        .filter(|pair| pair[1].angle - pair[0].angle > LONGEST_GOOD_STEP * (1.0 + 1e-9))?;
+    let slopes = slopes(rows, LIFT.1);
+    let changes = slopes.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+    let (place, change) = changes
+        .enumerate()
+        .max_by(|one, other| one.1.total_cmp(&other.1))?;
+    let corner = rows[place + 1];
+    Some(Remark {
+        place: Place::line(table.file(), longest[1].line),
+        what: format!(
+            "steps of up to {}° are coarse for derivatives, above {LONGEST_GOOD_STEP}° they distort the \
+             range in which a section gallops; from one cell to the next dCL/dα changes by up to {change:.2} \
+             (at {}°, line {})",
+            ((longest[1].angle - longest[0].angle) * 1e9).round() / 1e9,
+            corner.angle,
+            corner.line
+        ),
+    })
+}
+
+fn jumps(table: &CoefficientTable) -> Vec<Remark> {
+    let rows = table.rows();
+    let (first, last) = (rows[0], rows[rows.len() - 1]);
+    let mut remarks = Vec::new();
+    if table.has_a_jump_at_its_end() {
+        let parts = large_parts(table, &[LIFT, DRAG, MOMENT], |column| {
+            column(&first) - column(&last)
+        });
+        let parts: Vec<String> = parts
+            .iter()
+            .map(|part| part.replace(" is ", " by "))
+            .collect();
+        remarks.push(Remark {
+            place: Place::line(table.file(), last.line),
+            what: format!(
+                "{}° and {}° are one angle, but the curve jumps there, {}: derivatives in the cells next to it \
+                 mean nothing",
+                first.angle,
+                last.angle,
+                parts.join(" and ")
+            ),
+        });
+    }
+    let is_at = |row: &Row, angle: f64| (row.angle - angle).abs() < 1e-9;
+    let is_half = is_at(&first, 0.0) && is_at(&last, 180.0);
+    if !is_half && !is_mirrored(table) {
+        return remarks;
+    }
+    let condition = if is_half {
+        "if the other half of the circle mirrors this one, lift and moment are odd and jump there"
+    } else {
+        "the table mirrors itself, lift and moment are odd, and jump there"
+    };
+    let is_known = |row: &Row| table.has_a_jump_at_its_end() && (*row == first || *row == last);
+    let is_axis = |row: &&Row| {
+        [-180.0, 0.0, 180.0, 360.0]
+            .iter()
+            .any(|&axis| is_at(row, axis))
+    };
+    for row in rows.iter().filter(is_axis).filter(|row| !is_known(row)) {
+        let parts = large_parts(table, &[LIFT, MOMENT], |column| column(row));
+        if !parts.is_empty() {
+            remarks.push(Remark {
+                place: Place::line(table.file(), row.line),
+                what: format!(
+                    "{} at {}° and not 0: {condition}; derivatives in the cells next to it mean nothing",
+                    parts.join(" and "),
+                    row.angle
+                ),
+            });
+        }
+    }
+    remarks
+}
+
+/// Which columns have a size that counts: `CL is 0.23`.
+fn large_parts(
+    table: &CoefficientTable,
+    columns: &[Column],
+    size: impl Fn(fn(&Row) -> f64) -> f64,
+) -> Vec<String> {
+    let large = NOTHING * table.size();
+    let parts = columns.iter().map(|(name, column)| (name, size(*column)));
+    parts
+        .filter(|(_, size)| size.abs() > large)
+        .map(|(name, size)| format!("{name} is {size}"))
+        .collect()
+}
+
+/// Whether the curves on both sides of 0° are mirror images: drag even, lift and moment odd.
+fn is_mirrored(table: &CoefficientTable) -> bool {
+    let rows = table.rows();
+    let same = |one: f64, other: f64| (one - other).abs() <= 1e-6 * table.size();
+    let turned = |angle: f64| angle.rem_euclid(360.0);
+    let mut pairs = 0;
+    for row in rows {
+        let image = turned(-row.angle);
+        let is_axis = turned(row.angle + 1e-9) < 2e-9 || (turned(row.angle) - 180.0).abs() < 1e-9;
+        let mut images = rows
+            .iter()
+            .filter(|own| (turned(own.angle) - image).abs() < 1e-9);
+        let Some(other) = images.next().filter(|_| !is_axis) else {
+            continue;
+        };
+        let fits = same(row.drag, other.drag)
+            && same(row.lift, -other.lift)
+            && same(row.moment, -other.moment);
+        if !fits {
+            return false;
+        }
+        pairs += 1;
+    }
+    // Each pair is met twice.
+    pairs >= 8
+}

@@ -1,0 +1,192 @@
+//! `sextic stability` and `sextic modes` as a user runs them.
+
+use std::path::PathBuf;
+
+use serde_json::Value;
+
+use super::sextic;
+
+/// A folder of this test's own with the cases that come with the project.
+fn folder(name: &str) -> PathBuf {
+    let from = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("derivations/cases");
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).expect("a folder");
+    for file in ["tuned.toml", "detuned.toml", "formulas.csv"] {
+        std::fs::copy(from.join(file), folder.join(file)).expect("a copy");
+    }
+    folder
+}
+
+fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
+    let output = sextic(arguments);
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
+    (
+        output.status.code(),
+        text(output.stdout),
+        text(output.stderr),
+    )
+}
+
+#[test]
+fn a_case_is_written_in_every_format_and_drawn() {
+    let folder = folder("stability");
+    let case = folder.join("tuned.toml");
+    let (case, plot) = (case.to_str().expect("a path"), folder.join("plot.svg"));
+    let plot_path = plot.to_str().expect("a path");
+    let (status, out, err) = run(&["stability", case, "--plot", plot_path]);
+    assert_eq!((status, err.as_str()), (Some(0), ""));
+    assert!(
+        out.contains("Unstable ranges") && out.contains("Methods"),
+        "{out}"
+    );
+    assert!(
+        std::fs::read_to_string(&plot)
+            .expect("a figure")
+            .starts_with("<svg")
+    );
+
+    let (status, out, _) = run(&["stability", case, "--format", "csv"]);
+    assert_eq!(status, Some(0));
+    assert!(
+        out.starts_with("alpha_deg,s3d_exact,s3d_companion,s3d_closed,s3d_uniform,"),
+        "{out}"
+    );
+    assert_eq!(out.lines().count(), 362);
+
+    let (status, out, _) = run(&["stability", case, "--format", "json"]);
+    assert_eq!(status, Some(0));
+    let json: Value = serde_json::from_str(&out).expect("JSON");
+    let point = &json["points"][0];
+    assert!(point["s3d"]["exact"]["value"].is_f64() && point["s3d"]["exact"]["error"].is_f64());
+    assert!(point["s3d"]["closed"].is_f64() && point["s3d"]["uniform"].is_null());
+    assert_eq!(point["modes"].as_array().map(Vec::len), Some(3));
+    assert!(json["unstable"][0]["worst_deg"].is_f64());
+    assert_eq!(json["methods"][1]["method"], "closed");
+}
+
+#[test]
+fn wrong_cases_end_with_status_2_and_leave_no_file() {
+    let folder = folder("wrong_stability");
+    let text = std::fs::read_to_string(folder.join("tuned.toml")).expect("a case");
+    let plot = folder.join("plot.svg");
+    for (name, old, new, message) in [
+        ("key.toml", "alpha_g_deg", "alpha_g", "write alpha_g_deg"),
+        (
+            "mass.toml",
+            "m = 3.5",
+            "m = 0",
+            "mass.toml:5: m = 0 must be above 0",
+        ),
+        (
+            "table.toml",
+            "formulas.csv",
+            "none.csv",
+            "there is no such file",
+        ),
+        ("wind.toml", "U = 9 ", "U = 0 ", "there is no wind"),
+    ] {
+        let path = folder.join(name);
+        std::fs::write(&path, text.replace(old, new)).expect("a case");
+        let arguments = ["stability", path.to_str().expect("a path"), "--plot"];
+        let (status, out, err) = run(&[&arguments[..], &[plot.to_str().expect("a path")]].concat());
+        assert_eq!((status, out.as_str()), (Some(2), ""), "{err}");
+        assert!(err.contains(message), "{err}");
+        assert!(!plot.exists());
+    }
+    let short = "alpha_deg,CL,CD,CM\n0,0,1,0\n1,0,1,0\n2,0,1,0\n3,0,1,0\n";
+    std::fs::write(folder.join("formulas.csv"), short).expect("a table");
+    let case = folder.join("tuned.toml");
+    let case = case.to_str().expect("a path");
+    let (status, _, err) = run(&["stability", case]);
+    assert_eq!(status, Some(2));
+    assert!(
+        err.contains("the angle 3.5° is outside of the table"),
+        "{err}"
+    );
+    let (status, _, err) = run(&["stability", folder.to_str().expect("a path")]);
+    assert_eq!(status, Some(2));
+    assert!(err.contains("it is a folder"), "{err}");
+}
+
+#[test]
+fn a_plot_that_cannot_be_written_is_wrong_input() {
+    let folder = folder("no_plot");
+    let case = folder.join("tuned.toml");
+    let plot = folder.join("none").join("plot.svg");
+    let arguments = [
+        case.to_str().expect("a path"),
+        "--plot",
+        plot.to_str().expect("a path"),
+    ];
+    let (status, _, err) = run(&[&["stability"], &arguments[..]].concat());
+    assert_eq!(status, Some(2));
+    assert!(err.contains("cannot be written"), "{err}");
+}
+
+const SECTION: [&str; 12] = [
+    "m=3.5",
+    "r=0.0178",
+    "L_g=0.004",
+    "alpha_g=1/2",
+    "theta_0=0",
+    "omega_x=6",
+    "omega_y=6",
+    "omega_theta=6",
+    "U=0",
+    "zeta_x=0",
+    "zeta_y=0",
+    "zeta_theta=0",
+];
+
+fn modes(section: &[&str], more: &[&str]) -> (Option<i32>, String, String) {
+    let set = section.iter().flat_map(|own| ["--set", own]);
+    let arguments: Vec<&str> = ["modes"]
+        .into_iter()
+        .chain(set)
+        .chain(more.iter().copied())
+        .collect();
+    run(&arguments)
+}
+
+#[test]
+fn all_methods_find_the_modes_without_wind() {
+    let e = 0.004 / 0.0178_f64;
+    let exact = [6.0 / (1.0 - e).sqrt(), 6.0, 6.0 / (1.0 + e).sqrt()];
+    for method in ["closed", "companion", "state"] {
+        let (status, out, err) = modes(&SECTION, &["--method", method, "--format", "json"]);
+        assert_eq!((status, err.as_str()), (Some(0), ""), "{method}");
+        let json: Value = serde_json::from_str(&out).expect("JSON");
+        assert_eq!(json["method"], method);
+        assert!(json["s3d"].is_null());
+        for (place, exact) in exact.iter().enumerate() {
+            let own = json["eigenvalues"][place]["im"].as_f64().expect("a number");
+            assert!((own - exact).abs() < 1e-9, "{method}: {out}");
+        }
+    }
+}
+
+#[test]
+fn what_modes_cannot_do_is_said() {
+    for (section, more, message) in [
+        (&SECTION[..], &["--method", "uniform"][..], "not built yet"),
+        (&SECTION[..], &["--method", "exact"][..], "not built yet"),
+        (&SECTION[1..], &[], "the modes need m too"),
+        (&SECTION[..], &["--set", "L_G=1"], "did you mean `L_g`?"),
+        (&SECTION[..], &["--set", "S_xx=1"], "not taken yet"),
+        (&SECTION[..], &["--set", "m=1"], "set twice"),
+    ] {
+        let (status, out, err) = modes(section, more);
+        assert_eq!((status, out.as_str()), (Some(2), ""), "{more:?}");
+        assert!(err.contains(message), "{err}");
+    }
+    let detuned: Vec<&str> = SECTION
+        .iter()
+        .map(|own| own.strip_prefix("omega_x=6").map_or(*own, |_| "omega_x=5"))
+        .collect();
+    let (status, _, err) = modes(&detuned, &["--method", "closed"]);
+    assert_eq!(status, Some(2));
+    assert!(err.contains("perfect tuning"), "{err}");
+    let (_, out, _) = modes(&SECTION, &["--set", "C_D=1"]);
+    assert!(out.contains("C_D did not matter"), "{out}");
+}

@@ -1,0 +1,138 @@
+//! Case files and coefficient tables: what is read, and what is said of the rest.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use sextic::stability::case::Case;
+use sextic::stability::coefficient_table::CoefficientTable;
+use sextic::stability::table_remarks::remarks;
+
+/// The folder of the cases that come with the project.
+pub fn shipped() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("derivations/cases")
+}
+
+/// A case that comes with the project, with edits, and its table.
+pub fn shipped_case(name: &str, edits: &[(&str, &str)]) -> (Case, CoefficientTable) {
+    let text = read(&shipped().join(name));
+    let text = edits.iter().fold(text, |text, (old, new)| {
+        assert!(text.contains(old), "{old} is not in {name}");
+        text.replace(old, new)
+    });
+    let case = Case::read(name, &text).expect("a case");
+    let table = read(&shipped().join(&case.coefficients));
+    let table = CoefficientTable::read(&case.coefficients, &table).expect("a table");
+    (case, table)
+}
+
+pub fn read(path: &Path) -> String {
+    std::fs::read_to_string(path).expect("a file that can be read")
+}
+
+/// Snapshots in a folder of their own.
+pub fn snapshots(folder: &str, check: impl FnOnce()) {
+    let mut settings = insta::Settings::clone_current();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    settings.set_snapshot_path(root.join("snapshots/stability").join(folder));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(check);
+}
+
+#[test]
+fn every_wrong_case_has_a_message_that_helps() {
+    let text = read(&shipped().join("detuned.toml"));
+    let edits = read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/cases/edits.txt"));
+    let edits = edits
+        .lines()
+        .filter(|line| line.contains("=>") && !line.starts_with('#'));
+    let mut messages = String::new();
+    for edit in edits {
+        let (old, new) = edit.split_once("=>").expect("an arrow");
+        let (old, new) = (old.trim(), new.trim().replace("\\n", "\n"));
+        assert!(text.contains(old), "{old}");
+        let message = match Case::read("case.toml", &text.replace(old, &new)) {
+            Err(error) => error.to_string(),
+            Ok(_) => panic!("{edit} is no mistake"),
+        };
+        writeln!(messages, "{edit}\n    {message}").expect("a string");
+    }
+    snapshots("cases", || insta::assert_snapshot!("wrong_cases", messages));
+}
+
+#[test]
+fn every_table_is_read_or_explained() {
+    let check = |path: &Path| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let bytes = std::fs::read(path).expect("a table");
+        let said = match std::str::from_utf8(&bytes) {
+            Err(_) => "the command refuses it: no UTF-8".to_string(),
+            Ok(text) => match CoefficientTable::read(&name, text) {
+                Err(error) => error.to_string(),
+                Ok(table) => {
+                    let mut said =
+                        format!("{} rows, circle: {}", table.rows().len(), table.is_circle());
+                    for remark in remarks(&table) {
+                        write!(said, "\n{remark}").expect("a string");
+                    }
+                    said
+                }
+            },
+        };
+        insta::assert_snapshot!(said);
+    };
+    snapshots("tables", || {
+        insta::glob!(
+            concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data"),
+            "tables/*.csv",
+            check
+        );
+    });
+}
+
+#[test]
+fn all_spellings_of_a_table_are_one_table() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/tables");
+    let rows = |name: &str| {
+        let table = CoefficientTable::read(name, &read(&folder.join(name))).expect("a table");
+        let numbers = table.rows().iter();
+        let numbers = numbers.map(|row| [row.angle, row.lift, row.drag, row.moment]);
+        numbers.collect::<Vec<_>>()
+    };
+    for name in [
+        "windows.csv",
+        "semicolons.csv",
+        "tabs.csv",
+        "quoted_decimal_commas.csv",
+    ] {
+        assert_eq!(rows(name), rows("good.csv"), "{name}");
+    }
+}
+
+#[test]
+fn the_table_that_is_shipped_is_that_of_its_formulas() {
+    let (_, table) = shipped_case("tuned.toml", &[]);
+    assert!(remarks(&table).is_empty());
+    assert_eq!(table.rows().len(), 180);
+    for row in table.rows() {
+        let alpha = row.angle.to_radians();
+        let lift = alpha.sin() - 0.9 * (3.0 * alpha).sin();
+        let drag = 1.1 - 0.4 * (2.0 * alpha).cos();
+        let moment = 0.15 * (2.0 * alpha).sin() - 0.05 * alpha.sin();
+        for (own, formula) in [(row.lift, lift), (row.drag, drag), (row.moment, moment)] {
+            assert!(
+                (own - formula).abs() < 6e-7,
+                "at {}: {own}, {formula}",
+                row.angle
+            );
+        }
+    }
+}
+
+proptest::proptest! {
+    #[test]
+    fn no_text_makes_the_readers_panic(text in "(alpha_deg|CL|CD|CM|[0-9.,;\t\n\"# -]){0,80}") {
+        let _ = CoefficientTable::read("any.csv", &text).map(|table| remarks(&table));
+        let _ = Case::read("any.toml", &text);
+    }
+}

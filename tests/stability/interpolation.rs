@@ -1,0 +1,138 @@
+//! Interpolation against a dense system of equations, and against laws.
+
+use nalgebra::{DMatrix, DVector};
+use proptest::prelude::*;
+use sextic::stability::coefficient_table::CoefficientTable;
+use sextic::stability::interpolation::{CoefficientCurves, Interpolation};
+use sextic::stability::spline::{CubicSpline, Ends};
+
+/// The coefficients a + b t + c t² + d t³ of every piece, from all conditions at once: values, slopes and
+/// curvatures that join, and what holds at the ends. Shares nothing with the slopes of the spline.
+fn dense(x: &[f64], y: &[f64], ends: Ends) -> Vec<[f64; 4]> {
+    let n = x.len() - 1;
+    let mut matrix = DMatrix::zeros(4 * n, 4 * n);
+    let mut right = DVector::zeros(4 * n);
+    let mut row = 0;
+    let mut equation = |terms: &[(usize, [f64; 4])], value: f64| {
+        for (piece, factors) in terms {
+            for (power, factor) in factors.iter().enumerate() {
+                matrix[(row, 4 * piece + power)] += factor;
+            }
+        }
+        right[row] = value;
+        row += 1;
+    };
+    let slope = |t: f64| [0.0, 1.0, 2.0 * t, 3.0 * t * t];
+    let curvature = |t: f64| [0.0, 0.0, 2.0, 6.0 * t];
+    let jerk = [0.0, 0.0, 0.0, 6.0];
+    let minus = |factors: [f64; 4]| factors.map(|factor| -factor);
+    for i in 0..n {
+        let h = x[i + 1] - x[i];
+        equation(&[(i, [1.0, 0.0, 0.0, 0.0])], y[i]);
+        equation(&[(i, [1.0, h, h * h, h * h * h])], y[i + 1]);
+        let next = match ends {
+            Ends::Periodic => (i + 1) % n,
+            Ends::NotAKnot if i + 1 < n => i + 1,
+            Ends::NotAKnot => continue,
+        };
+        equation(&[(i, slope(h)), (next, minus(slope(0.0)))], 0.0);
+        equation(&[(i, curvature(h)), (next, minus(curvature(0.0)))], 0.0);
+    }
+    if ends == Ends::NotAKnot {
+        equation(&[(0, jerk), (1, minus(jerk))], 0.0);
+        equation(&[(n - 1, jerk), (n - 2, minus(jerk))], 0.0);
+    }
+    let solution = matrix.lu().solve(&right).expect("a regular system");
+    (0..n)
+        .map(|i| [0, 1, 2, 3].map(|power| solution[4 * i + power]))
+        .collect()
+}
+
+proptest! {
+    #[test]
+    fn splines_are_the_solution_of_all_their_conditions(
+        steps in prop::collection::vec(0.5..5.0_f64, 4..12),
+        heights in prop::collection::vec(-2.0..2.0_f64, 13),
+        is_periodic: bool,
+    ) {
+        let ends = if is_periodic { Ends::Periodic } else { Ends::NotAKnot };
+        let mut x = vec![-3.0];
+        for step in &steps {
+            x.push(x[x.len() - 1] + step);
+        }
+        let mut y = heights[..x.len()].to_vec();
+        if is_periodic {
+            *y.last_mut().expect("points") = y[0];
+        }
+        let spline = CubicSpline::new(&x, &y, ends);
+        for (i, [a, b, c, d]) in dense(&x, &y, ends).into_iter().enumerate() {
+            for part in [0.0, 0.3, 0.8] {
+                let t = part * (x[i + 1] - x[i]);
+                let (value, slope) = spline.at(x[i] + t);
+                prop_assert!((value - (a + t * (b + t * (c + t * d)))).abs() < 1e-9);
+                prop_assert!((slope - (b + t * (2.0 * c + t * 3.0 * d))).abs() < 1e-9);
+            }
+        }
+    }
+}
+
+/// A table of sin α, cos α and 0 every `step` degrees.
+fn circle(step: usize, last: usize) -> CoefficientTable {
+    let mut text = "alpha_deg,CL,CD,CM\n".to_string();
+    for angle in (0..=last).step_by(step) {
+        let (sin, cos) = (angle as f64).to_radians().sin_cos();
+        text += &format!("{angle},{sin},{cos},0\n");
+    }
+    CoefficientTable::read("circle.csv", &text).expect("a table")
+}
+
+#[test]
+fn the_circle_is_closed_with_and_without_its_last_angle() {
+    for last in [350, 360] {
+        let curves = CoefficientCurves::new(&circle(10, last), Interpolation::Cubic);
+        for angle in [-725.0, -3.0, 0.0, 5.0, 355.0, 359.9, 363.0, 1000.0_f64] {
+            let at = curves.at(angle).expect("on the circle");
+            let (sin, cos) = angle.to_radians().sin_cos();
+            for (own, exact) in [
+                (at.lift, sin),
+                (at.drag, cos),
+                (at.lift_slope, cos),
+                (at.drag_slope, -sin),
+            ] {
+                assert!((own - exact).abs() < 5e-4, "{own}, {exact} at {angle}");
+            }
+        }
+    }
+}
+
+#[test]
+fn straight_lines_have_the_slope_of_their_cell() {
+    let curves = CoefficientCurves::new(&circle(90, 270), Interpolation::Linear);
+    let slope = 2.0 / std::f64::consts::PI;
+    for (angle, value, derivative) in [
+        (0.0, 0.0, slope),
+        (45.0, 0.5, slope),
+        (90.0, 1.0, -slope),
+        (180.0, 0.0, -slope),
+    ] {
+        let at = curves.at(angle).expect("in the table");
+        assert!((at.lift - value).abs() < 1e-12, "{at:?} at {angle}");
+        assert!(
+            (at.lift_slope - derivative).abs() < 1e-12,
+            "{at:?} at {angle}"
+        );
+    }
+    assert_eq!(curves.corners(&[0.0, 45.0, 90.0]), 2);
+}
+
+#[test]
+fn what_is_outside_of_the_table_is_refused() {
+    let curves = CoefficientCurves::new(&circle(2, 180), Interpolation::Cubic);
+    for angle in [-0.1, 180.1, f64::NAN] {
+        let error = curves.at(angle).expect_err("outside");
+        assert!(
+            error.to_string().contains("goes from 0° to 180°"),
+            "{error}"
+        );
+    }
+}
