@@ -3,6 +3,8 @@
 mod audit;
 mod evaluate;
 #[cfg(feature = "stability")]
+mod figures;
+#[cfg(feature = "stability")]
 mod file;
 mod folder;
 mod generate;
@@ -61,6 +63,8 @@ enum Command {
     Stability(stability::Arguments),
     #[cfg(feature = "stability")]
     Modes(modes::Arguments),
+    #[cfg(feature = "stability")]
+    Figures(figures::Arguments),
 }
 
 const EXIT_STATUS: &str = "\
@@ -82,6 +86,8 @@ pub fn run() -> ExitCode {
         Command::Stability(arguments) => stability::run(&arguments),
         #[cfg(feature = "stability")]
         Command::Modes(arguments) => modes::run(&arguments),
+        #[cfg(feature = "stability")]
+        Command::Figures(arguments) => figures::run(&arguments),
     };
     outcome.into()
 }

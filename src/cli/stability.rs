@@ -113,6 +113,12 @@ pub fn run(arguments: &Arguments) -> Outcome {
 
 /// A case from the disk, compared at all its angles.
 fn comparison(path: &Path) -> Result<Comparison, Outcome> {
+    let (case, table) = case_and_table(path)?;
+    compare(&case, &table).map_err(|error| refuse(&error))
+}
+
+/// A case and its table from the disk.
+pub(super) fn case_and_table(path: &Path) -> Result<(Case, CoefficientTable), Outcome> {
     let text = read_text(path, "a case file: `sextic stability --help` shows one")?;
     let case = Case::read(&path.to_string_lossy(), &text).map_err(|error| refuse(&error))?;
     let table = path.with_file_name(&case.coefficients);
@@ -122,9 +128,10 @@ fn comparison(path: &Path) -> Result<Comparison, Outcome> {
     )?;
     let name = table.to_string_lossy();
     let table = CoefficientTable::read(&name, &text).map_err(|error| refuse(&error))?;
-    compare(&case, &table).map_err(|error| refuse(&error))
+    Ok((case, table))
 }
 
-fn refuse(error: &InputError) -> Outcome {
+/// Writes what is wrong with a case or a table.
+pub(super) fn refuse(error: &InputError) -> Outcome {
     wrong(&format!("{}: {}", error.place, error.what), &error.help)
 }

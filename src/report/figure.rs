@@ -16,8 +16,10 @@ pub enum Stroke {
     Dashed,
     /// Hollow circles without a line, at some of the points.
     Circles,
-    /// A thin grey line of dots.
+    /// A grey line of dots.
     Dotted,
+    /// A thin grey line.
+    Thin,
 }
 
 /// A curve in pieces, between which there is nothing.
@@ -32,7 +34,7 @@ pub struct Curve {
 }
 
 /// Curves over an axis.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
     /// What is shown.
     pub title: String,
@@ -42,6 +44,8 @@ pub struct Figure {
     pub y_label: String,
     /// What is shaded below y = 0, as the legend calls it; `None` if nothing is.
     pub shaded: Option<String>,
+    /// Whether both axes have one scale.
+    pub is_to_scale: bool,
     /// The curves, the first below the others.
     pub curves: Vec<Curve>,
 }
@@ -53,6 +57,10 @@ const HEIGHT: i32 = 560;
 const FINE: i32 = 4;
 /// Room for the title and the legend, above the curves.
 const HEAD: i32 = 72;
+/// Room on the other sides of the curves.
+const LEFT: i32 = 72;
+const RIGHT: i32 = 24;
+const BOTTOM: i32 = 56;
 const FONT: &str = "sans-serif";
 const SHADE: RGBColor = RGBColor(222, 222, 222);
 const BLUE_INK: RGBColor = RGBColor(0, 70, 160);
@@ -90,12 +98,17 @@ impl Figure {
         };
         let margin = 0.05 * (y.end - y.start);
         let y = y.start - margin..y.end + margin;
+        let (x, y) = if self.is_to_scale {
+            to_scale(x, y)
+        } else {
+            (x, y)
+        };
         let mut chart = ChartBuilder::on(&below)
-            .margin_right(px(24))
+            .margin_right(px(RIGHT))
             .margin_left(px(8))
             .margin_bottom(px(8))
-            .x_label_area_size(px(48))
-            .y_label_area_size(px(64))
+            .x_label_area_size(px(BOTTOM - 8))
+            .y_label_area_size(px(LEFT - 8))
             .build_cartesian_2d(x.clone(), y.clone())?;
         if self.shaded.is_some() {
             let corners = [(x.start, y.start), (x.end, 0.0)];
@@ -131,6 +144,9 @@ impl Figure {
                     }
                     Stroke::Solid => {
                         chart.draw_series(LineSeries::new(points, ink(BLACK, 2)))?;
+                    }
+                    Stroke::Thin => {
+                        chart.draw_series(LineSeries::new(points, ink(GREY_INK, 1)))?;
                     }
                     stroke => {
                         let (dash, gap, style) = dashes(stroke);
@@ -169,6 +185,7 @@ impl Figure {
                     }
                 }
                 Stroke::Solid => head.draw(&PathElement::new(line, ink(BLACK, 2)))?,
+                Stroke::Thin => head.draw(&PathElement::new(line, ink(GREY_INK, 1)))?,
                 stroke => {
                     let (dash, gap, style) = dashes(stroke);
                     for start in (0..length).step_by((dash + gap) as usize) {
@@ -206,6 +223,20 @@ impl Figure {
             0.0..1.0
         }
     }
+}
+
+/// Ranges around the same middles, of one scale, so that both fit.
+fn to_scale(x: Range<f64>, y: Range<f64>) -> (Range<f64>, Range<f64>) {
+    let (width, height) = (
+        f64::from(WIDTH - LEFT - RIGHT),
+        f64::from(HEIGHT - HEAD - BOTTOM),
+    );
+    let pixel = ((x.end - x.start) / width).max((y.end - y.start) / height);
+    let around = |range: Range<f64>, pixels: f64| {
+        let (middle, half) = ((range.start + range.end) / 2.0, pixels * pixel / 2.0);
+        middle - half..middle + half
+    };
+    (around(x, width), around(y, height))
 }
 
 /// So many pixels in the units of the drawing.
@@ -262,6 +293,7 @@ mod tests {
                 x_label: "x".into(),
                 y_label: "y".into(),
                 shaded: Some("s".into()),
+                is_to_scale: true,
                 curves: vec![Curve {
                     label,
                     stroke,

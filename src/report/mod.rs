@@ -10,6 +10,8 @@ pub mod details;
 pub mod evaluation;
 #[cfg(feature = "stability")]
 pub mod figure;
+#[cfg(feature = "stability")]
+pub mod gallery;
 pub mod json;
 pub mod latex;
 pub mod markdown;
@@ -23,4 +25,6 @@ pub mod stability;
 pub mod stability_figure;
 pub mod summary;
 pub mod text;
+#[cfg(feature = "stability")]
+pub mod trajectory;
 pub mod words;

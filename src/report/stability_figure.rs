@@ -1,5 +1,6 @@
 //! The stability of a case as a figure: S by every method against the angle.
 
+use crate::stability::case::Case;
 use crate::stability::comparison::{Comparison, Point};
 
 use super::figure::{Curve, Figure, Stroke};
@@ -24,7 +25,7 @@ pub fn figure(comparison: &Comparison) -> Figure {
             point.closed
         }),
     ];
-    let name = match comparison.free().len() {
+    let symbol = match comparison.free().len() {
         1 => "S₁D",
         2 => "S₂D",
         _ => "S₃D",
@@ -32,17 +33,24 @@ pub fn figure(comparison: &Comparison) -> Figure {
     Figure {
         title: {
             let title = title(comparison);
-            let folder = comparison.case.file.rfind(['/', '\\']);
-            title[folder.map_or(0, |end| end + 1)..].to_string()
+            let rest = title.strip_prefix(comparison.case.file.as_str());
+            format!("{}{}", name(&comparison.case), rest.unwrap_or_default())
         },
         x_label: "angle of attack α (degrees)".into(),
-        y_label: format!("{name} = −4m max λ_R / (ρDU), dimensionless"),
+        y_label: format!("{symbol} = −4m max λ_R / (ρDU), dimensionless"),
         shaded: Some("unstable".into()),
         curves: curves
             .into_iter()
             .filter(|curve| !curve.pieces.is_empty())
             .collect(),
+        ..Figure::default()
     }
+}
+
+/// The name of a case without its folder.
+pub fn name(case: &Case) -> &str {
+    let folder = case.file.rfind(['/', '\\']);
+    &case.file[folder.map_or(0, |end| end + 1)..]
 }
 
 /// The points that have a value, in pieces without a gap.

@@ -5,6 +5,7 @@ mod point;
 mod range;
 
 pub use agreement::{Agreement, Method, Reason};
+pub(super) use point::point;
 pub use point::{FollowedMode, Point, Value};
 pub use range::{AngleRange, UnstableRange};
 
@@ -62,7 +63,7 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
         })?;
         let point = case
             .section(angle, coefficients)
-            .and_then(|section| point::point(angle, &section, &mut before));
+            .and_then(|section| point(angle, &section, &mut before));
         points.push(point.map_err(|error| {
             let what = format!("at {angle}°: {error}");
             InputError::new(file.clone(), what, "correct the case or its table")

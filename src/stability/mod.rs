@@ -18,6 +18,7 @@ pub mod input;
 pub mod interpolation;
 pub mod model;
 pub mod modes;
+pub mod offset;
 pub mod quantities;
 mod schur;
 pub mod section;

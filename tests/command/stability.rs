@@ -190,3 +190,24 @@ fn what_modes_cannot_do_is_said() {
     let (_, out, _) = modes(&SECTION, &["--set", "C_D=1"]);
     assert!(out.contains("C_D did not matter"), "{out}");
 }
+
+#[test]
+fn all_figures_of_a_case_are_drawn() {
+    let folder = folder("figures");
+    let (case, out) = (folder.join("detuned.toml"), folder.join("drawn"));
+    let out_path = out.to_str().expect("a path");
+    let arguments = ["figures", case.to_str().expect("a path"), "--out", out_path];
+    let (status, list, err) = run(&arguments);
+    assert_eq!((status, err.as_str()), (Some(0), ""));
+    assert_eq!(list.lines().count(), 9);
+    for path in list.lines() {
+        let svg = std::fs::read_to_string(path).expect("a figure");
+        assert!(
+            svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"),
+            "{path}"
+        );
+    }
+    let (status, _, err) = run(&["figures", "none.toml", "--out", out_path]);
+    assert_eq!(status, Some(2));
+    assert!(err.contains("there is no such file"), "{err}");
+}

@@ -3,8 +3,11 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use sextic::report::gallery;
 use sextic::report::{csv, stability_figure, text};
 use sextic::stability::comparison::{Comparison, Method, compare};
+use sextic::stability::interpolation::CoefficientCurves;
+use sextic::stability::offset::against_offset;
 
 use super::cases::{read, shipped_case, snapshots};
 
@@ -200,4 +203,70 @@ fn the_picture_is_that_of_the_command() {
         svg == shown,
         "derivations/cases/tuned.svg is old: draw it again as the README says"
     );
+}
+
+#[test]
+fn the_offset_of_the_case_gives_its_modes() {
+    let (case, table) = shipped_case("detuned.toml", &[("step = 0.5", "step = 10")]);
+    let comparison = compare(&case, &table).expect("an answer");
+    let e = case.parameters.mass_centre_distance / case.parameters.radius_of_gyration;
+    let coefficients = CoefficientCurves::new(&table, case.interpolation).at(130.0);
+    let offsets = against_offset(
+        &case,
+        coefficients.expect("in the table"),
+        130.0,
+        2.0 * e,
+        40,
+    );
+    let offsets = offsets.expect("modes");
+    let point = comparison.points.iter().find(|point| point.angle == 130.0);
+    let (own, same) = (&offsets[20], point.expect("an angle"));
+    for mode in &same.modes {
+        let other = own.modes.iter().find(|other| {
+            (other.frequency - mode.frequency).abs() < 1e-9
+                && (other.damping.value - mode.damping.value).abs() < 1e-9
+        });
+        assert!(other.is_some(), "{mode:?}");
+    }
+    assert_eq!(offsets[0].eccentricity, 0.0);
+}
+
+#[test]
+fn figures_without_a_case_are_those_of_the_eigenvectors() {
+    let (case, table) = shipped_case("tuned.toml", &[("step = 0.5", "step = 10")]);
+    let figures = gallery::figures(&case, &table).expect("figures");
+    let names: Vec<&str> = figures.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(
+        names,
+        [
+            "frequencies_without_wind",
+            "trajectory_of_mode_1",
+            "trajectory_of_mode_2",
+            "trajectory_of_mode_3",
+            "stability",
+            "inertial_coupling",
+            "damping_against_offset",
+            "frequencies_against_offset",
+            "closed_form",
+        ]
+    );
+    // (L_g − r) ω² + r ω_n² and (L_g + r) ω² − r ω_n² vanish, Eq. (15).
+    for (curve, sign) in [(0, -1.0), (2, 1.0)] {
+        for (e, frequency) in &figures[0].1.curves[curve].pieces[0] {
+            assert!((frequency * frequency * (1.0 + sign * e) - 1.0).abs() < 1e-12);
+        }
+    }
+    // In mode 1 the far ends of the lines stay at one point, to second order in the turn; in mode 2 all
+    // lines are parallel; in mode 3 the opposite ends stay.
+    for (mode, end) in [(1, 1.0), (3, -1.0)] {
+        for line in &figures[mode].1.curves[0].pieces {
+            let [(x, y), (far_x, far_y)] = line[..] else {
+                panic!("a line has two ends");
+            };
+            let centre = (x + end * (far_x - x), y + end * (far_y - y));
+            let (sin, cos) = 30_f64.to_radians().sin_cos();
+            let distance = (centre.0 + end * cos).hypot(centre.1 - end * sin);
+            assert!(distance < 0.5 * 0.4_f64.powi(2), "mode {mode}: {distance}");
+        }
+    }
 }

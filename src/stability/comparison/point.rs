@@ -64,7 +64,7 @@ impl Point {
 }
 
 /// A section at an angle; `before` are the modes at the angle before, with their numbers.
-pub(super) fn point(
+pub(in crate::stability) fn point(
     angle: f64,
     section: &Section,
     before: &mut Vec<(usize, Mode)>,

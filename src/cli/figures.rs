@@ -1,0 +1,64 @@
+//! `sextic figures`: the paper's kinds of figures, on any case.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::report::gallery;
+
+use super::Outcome;
+use super::file::{reason, write_text};
+use super::output::{finish, wrong};
+use super::stability::{case_and_table, refuse};
+
+/// Draws the paper's kinds of figures for a case, as SVG
+///
+/// Figs. 11 and 12, which rest on no measurement, are drawn as they are: frequencies and trajectories
+/// without wind. The others are drawn for the case: its stability by every method; with and without
+/// inertial coupling (as Figs. 3 to 6 and 9); modes against the offset of the mass centre, at the worst
+/// angle (as Fig. 7); and the closed form against the state matrix, for the section perfectly tuned and
+/// without structural damping (as Figs. 13 and 14).
+#[derive(Args, Debug)]
+pub struct Arguments {
+    /// A case file: `sextic stability --help` shows one
+    #[arg(value_name = "CASE")]
+    case: PathBuf,
+
+    /// The folder for the figures, which is made if need be
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+}
+
+/// Draws all figures of a case and names their files.
+pub fn run(arguments: &Arguments) -> Outcome {
+    let (case, table) = match case_and_table(&arguments.case) {
+        Ok(both) => both,
+        Err(outcome) => return outcome,
+    };
+    let figures = match gallery::figures(&case, &table) {
+        Ok(figures) => figures,
+        Err(error) => return refuse(&error),
+    };
+    let folder = &arguments.out;
+    let unwritable = |path: &std::path::Path, reason: &str| {
+        wrong(
+            &format!("`{}` cannot be written: {reason}", path.display()),
+            "name a folder that you may write to",
+        )
+    };
+    if let Err(error) = std::fs::create_dir_all(folder) {
+        return unwritable(folder, &reason(&error));
+    }
+    let mut list = String::new();
+    for (name, figure) in figures {
+        let path = folder.join(format!("{name}.svg"));
+        let written = figure
+            .svg()
+            .and_then(|svg| write_text(&path, &svg).map_err(|error| reason(&error)));
+        if let Err(reason) = written {
+            return unwritable(&path, &reason);
+        }
+        list += &format!("{}\n", path.display());
+    }
+    finish(&list, Outcome::AsExpected)
+}

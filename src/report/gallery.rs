@@ -1,0 +1,184 @@
+//! The paper's kinds of figures, on any case; and those that need no coefficients, as they are.
+
+use crate::stability::case::Case;
+use crate::stability::coefficient_table::CoefficientTable;
+use crate::stability::comparison::{Comparison, FollowedMode, compare};
+use crate::stability::input::{InputError, Place};
+use crate::stability::interpolation::CoefficientCurves;
+use crate::stability::offset::{OffsetPoint, against_offset};
+
+use super::figure::{Curve, Figure, Stroke};
+use super::stability::angle;
+use super::{stability_figure, trajectory};
+
+/// A figure and the name of its file, without an extension.
+pub type Named = (String, Figure);
+
+/// Styles for three modes, told apart without colour.
+const MODES: [Stroke; 3] = [Stroke::Solid, Stroke::Dashed, Stroke::Dotted];
+
+/// Steps of the eccentricity, and the largest.
+const STEPS: usize = 400;
+const LARGEST: f64 = 0.6;
+
+/// All figures of a case: the frequencies of Fig. 11 and the trajectories of Fig. 12, which rest on no case;
+/// its stability by all methods; with and without inertial coupling, as Figs. 3–6 and 9; modes against the
+/// offset of the mass centre at the worst angle, as Fig. 7; and the closed form against the state matrix of the
+/// same section, perfectly tuned and without structural damping, as Figs. 13 and 14.
+///
+/// # Errors
+///
+/// As [`compare`].
+pub fn figures(case: &Case, table: &CoefficientTable) -> Result<Vec<Named>, InputError> {
+    let comparison = compare(case, table)?;
+    let mut figures = vec![("frequencies_without_wind".to_string(), frequencies())];
+    for mode in 1..=3 {
+        figures.push((
+            format!("trajectory_of_mode_{mode}"),
+            trajectory::figure(mode),
+        ));
+    }
+    figures.push(("stability".into(), stability_figure::figure(&comparison)));
+    figures.push((
+        "inertial_coupling".into(),
+        inertial_coupling(&comparison, table)?,
+    ));
+    figures.extend(offset(&comparison, table)?);
+    if case.parameters.free.are_all() {
+        figures.push(("closed_form".into(), closed_form(case, table)?));
+    }
+    Ok(figures)
+}
+
+/// Fig. 11: the frequencies of Eq. (15) against the eccentricity.
+fn frequencies() -> Figure {
+    let curve = |label: &str, stroke, frequency: &dyn Fn(f64) -> f64| {
+        let point = |step| {
+            let e = f64::from(step) * 0.005;
+            (e, frequency(e))
+        };
+        Curve {
+            label: label.into(),
+            stroke,
+            pieces: vec![(0..=180).map(point).collect()],
+        }
+    };
+    Figure {
+        title: "Frequencies of a perfectly tuned section without wind".into(),
+        x_label: "offset of the mass centre, L_g / r".into(),
+        y_label: "frequency, ω / ω_n".into(),
+        curves: vec![
+            curve("mode 1", MODES[0], &|e| (1.0 - e).sqrt().recip()),
+            curve("mode 2", MODES[1], &|_| 1.0),
+            curve("mode 3", MODES[2], &|e| (1.0 + e).sqrt().recip()),
+        ],
+        ..Figure::default()
+    }
+}
+
+/// As Figs. 3–6 and 9: the case as it is, and with G at O.
+fn inertial_coupling(
+    comparison: &Comparison,
+    table: &CoefficientTable,
+) -> Result<Figure, InputError> {
+    let mut centred = comparison.case.clone();
+    centred.parameters.mass_centre_distance = 0.0;
+    let centred = compare(&centred, table)?;
+    let curve = |label: String, stroke, of: &Comparison| {
+        let points = of.points.iter();
+        Curve {
+            label,
+            stroke,
+            pieces: vec![
+                points
+                    .map(|point| (point.angle, point.exact.value))
+                    .collect(),
+            ],
+        }
+    };
+    let parameters = &comparison.case.parameters;
+    let e = parameters.mass_centre_distance / parameters.radius_of_gyration;
+    let base = stability_figure::figure(comparison);
+    Ok(Figure {
+        curves: vec![
+            curve(
+                format!("with inertial coupling, L_g/r = {e:.3}"),
+                Stroke::Solid,
+                comparison,
+            ),
+            curve("without, L_g = 0".into(), Stroke::Dashed, &centred),
+        ],
+        ..base
+    })
+}
+
+/// As Fig. 7: S and frequency of every mode against the offset of G, at the angle with the least S.
+fn offset(comparison: &Comparison, table: &CoefficientTable) -> Result<Vec<Named>, InputError> {
+    let case = &comparison.case;
+    let worst = comparison
+        .points
+        .iter()
+        .min_by(|one, other| one.exact.value.total_cmp(&other.exact.value));
+    let Some(worst) = worst.map(|point| point.angle) else {
+        return Ok(Vec::new());
+    };
+    let wrong = |what: String| {
+        let help = "correct the case or its table";
+        InputError::new(Place::file(&case.file), what, help)
+    };
+    let curves = CoefficientCurves::new(table, case.interpolation);
+    let coefficients = curves.at(worst).map_err(|error| wrong(error.to_string()))?;
+    let points = against_offset(case, coefficients, worst, LARGEST, STEPS)
+        .map_err(|error| wrong(error.to_string()))?;
+    let title = format!("{} at α = {}°", stability_figure::name(case), angle(worst));
+    let x_label = "offset of the mass centre, L_g / r".to_string();
+    let damping = Figure {
+        title: title.clone(),
+        x_label: x_label.clone(),
+        y_label: "S of each mode = −4m λ_R / (ρDU), dimensionless".into(),
+        shaded: Some("unstable".into()),
+        curves: by_mode(&points, |mode| mode.damping.value),
+        ..Figure::default()
+    };
+    let frequency = Figure {
+        title,
+        x_label,
+        y_label: "frequency (Hz)".into(),
+        curves: by_mode(&points, |mode| mode.frequency),
+        ..Figure::default()
+    };
+    Ok(vec![
+        ("damping_against_offset".into(), damping),
+        ("frequencies_against_offset".into(), frequency),
+    ])
+}
+
+fn by_mode(points: &[OffsetPoint], value: impl Fn(&FollowedMode) -> f64) -> Vec<Curve> {
+    let curve = |(place, stroke): (usize, Stroke)| {
+        let of = |point: &OffsetPoint| {
+            let mode = point.modes.iter().find(|mode| mode.label == place + 1)?;
+            Some((point.eccentricity, value(mode)))
+        };
+        Curve {
+            label: format!("mode {}", place + 1),
+            stroke,
+            pieces: vec![points.iter().filter_map(of).collect()],
+        }
+    };
+    let curves = MODES.into_iter().enumerate().map(curve);
+    curves.filter(|curve| !curve.pieces[0].is_empty()).collect()
+}
+
+/// As Figs. 13 and 14: all frequencies those of heave, no structural damping.
+fn closed_form(case: &Case, table: &CoefficientTable) -> Result<Figure, InputError> {
+    let mut tuned = case.clone();
+    tuned.parameters.natural_frequencies = [case.parameters.natural_frequencies[1]; 3];
+    tuned.parameters.damping_ratios = [0.0; 3];
+    let is_changed = tuned != *case;
+    let figure = stability_figure::figure(&compare(&tuned, table)?);
+    let title = match is_changed {
+        true => format!("{}; tuned to f_y, without structural damping", figure.title),
+        false => figure.title,
+    };
+    Ok(Figure { title, ..figure })
+}

@@ -1,0 +1,48 @@
+//! A section with its mass centre moved away from the elastic centre.
+
+use super::case::Case;
+use super::comparison::{FollowedMode, point};
+use super::error::StabilityError;
+use super::section::{Coefficients, Parameters, Section};
+use super::tracking::Mode;
+
+/// The modes of a section whose mass centre is at a distance e r from O.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OffsetPoint {
+    /// e = L_g/r.
+    pub eccentricity: f64,
+    /// The modes, with the numbers that they have at e = 0.
+    pub modes: Vec<FollowedMode>,
+}
+
+/// The modes of a case at an angle in degrees, with e from 0 to a largest value below 1, in so many steps;
+/// they are numbered by their frequency at e = 0, the highest first, and followed by their shapes.
+///
+/// The shape and the mass stay as they are, as in Fig. 7 of the paper. Linear in the number of steps.
+///
+/// # Errors
+///
+/// As [`Section::new`], and if a section has no answer.
+pub fn against_offset(
+    case: &Case,
+    coefficients: Coefficients,
+    angle: f64,
+    largest: f64,
+    steps: usize,
+) -> Result<Vec<OffsetPoint>, StabilityError> {
+    let mut before: Vec<(usize, Mode)> = Vec::new();
+    (0..=steps)
+        .map(|step| {
+            let eccentricity = largest * step as f64 / steps.max(1) as f64;
+            let parameters = Parameters {
+                mass_centre_distance: eccentricity * case.parameters.radius_of_gyration,
+                ..case.section(angle, coefficients)?.parameters().clone()
+            };
+            let found = point(angle, &Section::new(parameters)?, &mut before)?;
+            Ok(OffsetPoint {
+                eccentricity,
+                modes: found.modes,
+            })
+        })
+        .collect()
+}
