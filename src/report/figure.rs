@@ -64,7 +64,7 @@ const BOTTOM: i32 = 56;
 const FONT: &str = "sans-serif";
 const SHADE: RGBColor = RGBColor(222, 222, 222);
 const BLUE_INK: RGBColor = RGBColor(0, 70, 160);
-const GREY_INK: RGBColor = RGBColor(110, 110, 110);
+const GREY_INK: RGBColor = RGBColor(80, 80, 80);
 /// Circles on a curve, at most.
 const MOST_CIRCLES: usize = 45;
 
@@ -251,7 +251,7 @@ fn ink(colour: RGBColor, pixels: i32) -> ShapeStyle {
 /// Lengths of dashes and gaps.
 fn dashes(stroke: Stroke) -> (i32, i32, ShapeStyle) {
     match stroke {
-        Stroke::Dotted => (px(2), px(4), ink(GREY_INK, 2)),
+        Stroke::Dotted => (px(2), px(3), ink(GREY_INK, 2)),
         _ => (px(9), px(5), ink(BLUE_INK, 2)),
     }
 }

@@ -1,7 +1,7 @@
 //! A comparison of methods in words and numbers, said once for every view.
 
 use crate::stability::comparison::{
-    Agreement, AngleRange, Comparison, FollowedMode, Method, Point, Reason, Value,
+    Agreement, AngleRange, Comparison, FollowedMode, Point, Reason, Value,
 };
 
 /// The most decimals of a damping coefficient; the sines of another machine may change later ones.
@@ -87,27 +87,31 @@ pub fn largest_error(points: &[Point]) -> f64 {
         .fold(0.0, f64::max)
 }
 
+/// A bound as the next power of ten, which the rounding of another machine hardly changes.
+pub fn power(bound: f64) -> String {
+    match bound > 0.0 {
+        true => format!("1e{}", bound.log10().ceil()),
+        false => "0".to_string(),
+    }
+}
+
 /// How a method agrees with the state matrix, in one sentence.
 pub fn agreement(own: &Agreement, angles: usize) -> String {
     let Some((difference, place)) = own.largest_difference else {
         return "does not apply".to_string();
     };
-    let difference = match own.method {
-        Method::Companion => format!("{difference:.0e}"),
-        Method::Closed => format!("{difference:.2}"),
-    };
     let mut text = if own.differs.is_empty() {
-        format!("agrees, within {difference}")
+        match own.largest_error {
+            Some(error) => format!("agrees within the errors of both, at most {}", power(error)),
+            None => format!("agrees, within {difference:.2}"),
+        }
     } else {
         let differs = ranges(&own.differs);
         format!(
-            "differs by up to {difference} (at {}°): {differs}",
+            "differs by up to {difference:.2} (at {}°): {differs}",
             angle(place)
         )
     };
-    if let Some(error) = own.largest_error {
-        text += &format!("; the errors of both are at most {error:.0e}");
-    }
     if !own.opposite.is_empty() {
         text += &format!(
             "; calls stable what is not, or the reverse: {}",

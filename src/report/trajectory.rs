@@ -11,7 +11,7 @@ const TURN: f64 = 0.4;
 const SNAPSHOTS: usize = 13;
 
 /// Mode 1, 2 or 3 at α_g + θ_0 = 30°: the path of the elastic centre O, and the line from O through the mass
-/// centre, of the length r, at equal intervals of time.
+/// centre, of the length r, at equal intervals of time; in mode 2 a line across it.
 ///
 /// The eigenvectors below Eq. (15), for φ = 30°: (−r sin φ, −r cos φ, 1), (−cot φ, 1, 0),
 /// (r sin φ, r cos φ, 1); they depend on φ alone, not on the offset.
@@ -32,8 +32,19 @@ pub fn figure(mode: usize) -> Figure {
     let at = |time: f64| shape.map(|own| TURN * own * time.cos());
     let snapshots = (0..SNAPSHOTS).map(|place| at(PI * place as f64 / (SNAPSHOTS - 1) as f64));
     let line = |[x, y, turn]: [f64; 3]| {
-        let angle = FRAC_PI_6 + turn;
-        vec![(x, y), (x - angle.cos(), y + angle.sin())]
+        let (sin, cos) = (FRAC_PI_6 + turn).sin_cos();
+        match mode {
+            // Lines along the path would hide each other.
+            2 => vec![
+                (x - sin / 4.0, y - cos / 4.0),
+                (x + sin / 4.0, y + cos / 4.0),
+            ],
+            _ => vec![(x, y), (x - cos, y + sin)],
+        }
+    };
+    let line_label = match mode {
+        2 => "line through O, across that to G",
+        _ => "line from O through G, of length r",
     };
     let path = [at(0.0), at(PI)].map(|[x, y, _]| (x, y)).to_vec();
     Figure {
@@ -43,7 +54,7 @@ pub fn figure(mode: usize) -> Figure {
         is_to_scale: true,
         curves: vec![
             Curve {
-                label: "line from O through G, of length r".into(),
+                label: line_label.into(),
                 stroke: Stroke::Thin,
                 pieces: snapshots.map(line).collect(),
             },

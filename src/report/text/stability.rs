@@ -1,7 +1,7 @@
 //! Where a section gallops, and how the methods agree, for a terminal.
 
 use crate::report::stability::{
-    agreement, angle, decimal, largest_error, mode, range, ranges, reasons, title,
+    agreement, angle, decimal, largest_error, mode, power, range, ranges, reasons, title,
 };
 use crate::stability::comparison::{Comparison, Method};
 
@@ -97,10 +97,10 @@ fn methods(page: &mut Page, comparison: &Comparison) {
         );
     };
     let name = comparison.coefficient_name();
-    let error = largest_error(&comparison.points);
+    let error = power(largest_error(&comparison.points));
     line(
         "exact",
-        format!("state matrix, Eq. (16); {name} is certain to {error:.0e}"),
+        format!("state matrix, Eq. (16); {name} is certain to {error}"),
     );
     for own in &comparison.agreements {
         let source = match own.method {
