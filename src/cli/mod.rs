@@ -12,6 +12,8 @@ mod match_coefficients;
 #[cfg(feature = "stability")]
 mod modes;
 mod output;
+#[cfg(feature = "stability")]
+mod report;
 mod source;
 #[cfg(feature = "stability")]
 mod stability;
@@ -65,6 +67,8 @@ enum Command {
     Modes(modes::Arguments),
     #[cfg(feature = "stability")]
     Figures(figures::Arguments),
+    #[cfg(feature = "stability")]
+    Report(report::Arguments),
 }
 
 const EXIT_STATUS: &str = "\
@@ -88,6 +92,8 @@ pub fn run() -> ExitCode {
         Command::Modes(arguments) => modes::run(&arguments),
         #[cfg(feature = "stability")]
         Command::Figures(arguments) => figures::run(&arguments),
+        #[cfg(feature = "stability")]
+        Command::Report(arguments) => report::run(&arguments),
     };
     outcome.into()
 }

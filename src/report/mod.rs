@@ -12,6 +12,8 @@ pub mod evaluation;
 pub mod figure;
 #[cfg(feature = "stability")]
 pub mod gallery;
+#[cfg(feature = "stability")]
+pub mod html;
 pub mod json;
 pub mod latex;
 pub mod markdown;

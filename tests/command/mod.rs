@@ -1,6 +1,8 @@
 //! The command as a user runs it: what it prints where, and its exit status.
 
 mod generation;
+#[cfg(feature = "stability")]
+mod report;
 mod stability;
 
 use std::path::PathBuf;

@@ -1,0 +1,90 @@
+//! `sextic report`: a derivation and a case as one page.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::report::html::{self, CaseFiles, Request};
+use crate::report::summary::Summary;
+use crate::stability::comparison::compare;
+
+use super::Outcome;
+use super::file::{reason, write_text};
+use super::output::{complain, finish, wrong};
+use super::source::audit_all;
+use super::stability::{case_and_files, refuse};
+
+/// Writes a derivation, its verdicts and a case as one HTML file
+///
+/// The page has the prose of the document, its equations typeset, every assertion with its verdict,
+/// conditions, neglected terms or counterexample, the matching, and with `--case` the curves of a section,
+/// where it gallops, and how the methods agree. It names the commands and the SHA-256 of the files that
+/// give each number again. It needs no network and no script.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// A Markdown document; without one, those that come with the command
+    #[arg(value_name = "DOC")]
+    document: Option<String>,
+
+    /// A case file: `sextic stability --help` shows one
+    #[arg(long, value_name = "CASE.toml")]
+    case: Option<PathBuf>,
+
+    /// The file to write
+    #[arg(long, value_name = "FILE.html")]
+    out: PathBuf,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  sextic report --out report.html                     the documents that come with the command
+  sextic report --case case.toml --out report.html    and a case
+  sextic report paper.md --out paper.html             a document of your own
+
+Exit status:
+  0  the report is written, and all is as the document expects
+  1  the report is written, and a verdict differs
+  2  the input is wrong, or the file cannot be written";
+
+/// Writes the report.
+pub fn run(arguments: &Arguments) -> Outcome {
+    // The case is read first: it is quickly refused.
+    let case = arguments.case.as_ref().map(|path| {
+        let (case, table, files) = case_and_files(path)?;
+        let comparison = compare(&case, &table).map_err(|error| refuse(&error))?;
+        Ok(CaseFiles { comparison, files })
+    });
+    let case = match case.transpose() {
+        Ok(case) => case,
+        Err(outcome) => return outcome,
+    };
+    let (audits, outcome) = audit_all(arguments.document.as_slice());
+    if outcome != Outcome::AsExpected {
+        return outcome;
+    }
+    let request = Request {
+        document: arguments.document.as_deref(),
+        audits: &audits,
+        case: case.as_ref(),
+    };
+    let path = &arguments.out;
+    let written = html::page(&request)
+        .and_then(|page| write_text(path, &page).map_err(|error| reason(&error)));
+    if let Err(reason) = written {
+        return wrong(
+            &format!("`{}` cannot be written: {reason}", path.display()),
+            "name a file in a folder that is there and that you may write to",
+        );
+    }
+    let mut outcome = Outcome::AsExpected;
+    for audit in audits.iter().filter(|audit| !audit.as_expected()) {
+        outcome = Outcome::Differs;
+        complain(&format!(
+            "{}: {}\n",
+            audit.path,
+            Summary::new(audit).conclusion()
+        ));
+    }
+    finish(&format!("{}\n", path.display()), outcome)
+}

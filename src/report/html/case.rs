@@ -1,0 +1,146 @@
+//! A case: where it gallops, and how the methods agree.
+
+use serde::Serialize;
+
+use super::{CaseFiles, escape};
+use crate::report::stability::{
+    agreement, angle, certain, decimal, largest_error, mode, range, ranges, reasons, title,
+};
+use crate::report::stability_figure;
+use crate::stability::comparison::{Comparison, Method, UnstableRange};
+
+/// What the template is given of a case.
+#[derive(Serialize)]
+pub struct CaseView {
+    /// The name of its file.
+    name: String,
+    /// What it is, in one line.
+    title: String,
+    /// `S_3D`
+    coefficient: String,
+    /// SVG.
+    figure: String,
+    conclusion: String,
+    unstable: Vec<UnstableView>,
+    undecided: Option<String>,
+    methods: Vec<MethodView>,
+    remarks: Vec<String>,
+    /// The text of the case file.
+    file: String,
+    table: String,
+}
+
+#[derive(Serialize)]
+struct UnstableView {
+    angles: String,
+    worst: String,
+    damping: String,
+    frequency: String,
+    mode: String,
+}
+
+#[derive(Serialize)]
+struct MethodView {
+    name: &'static str,
+    source: &'static str,
+    agreement: String,
+    reasons: Vec<String>,
+}
+
+impl CaseView {
+    /// A case at all its angles.
+    ///
+    /// # Errors
+    ///
+    /// If its curves cannot be drawn.
+    pub fn new(case: &CaseFiles) -> Result<Self, String> {
+        let comparison = &case.comparison;
+        let undecided = ranges(&comparison.undecided);
+        let [file, table] = &case.files;
+        Ok(CaseView {
+            name: stability_figure::name(&comparison.case).to_owned(),
+            title: title(comparison),
+            coefficient: comparison.coefficient_name(),
+            figure: figure(comparison)?,
+            conclusion: conclusion(comparison),
+            unstable: comparison.unstable.iter().map(unstable).collect(),
+            undecided: (!undecided.is_empty()).then_some(undecided),
+            methods: methods(comparison),
+            remarks: comparison.remarks.iter().map(ToString::to_string).collect(),
+            file: escape(&file.text),
+            table: table.path.clone(),
+        })
+    }
+}
+
+/// The curves as SVG that a reader can be told about.
+fn figure(comparison: &Comparison) -> Result<String, String> {
+    let svg = stability_figure::figure(comparison).svg()?;
+    let title = format!(
+        "{} against the angle of attack. {}",
+        comparison.coefficient_name(),
+        conclusion(comparison)
+    );
+    let named = format!(
+        r#"<svg role="img" aria-labelledby="curves"><title id="curves">{}</title>"#,
+        escape(&title)
+    );
+    let (opening, title) = named.split_at(named.find('>').map_or(0, |end| end));
+    let Some((attributes, rest)) = svg
+        .strip_prefix("<svg")
+        .and_then(|inner| inner.split_once('>'))
+    else {
+        return Err("the figure is no SVG".into());
+    };
+    Ok(format!("{opening}{attributes}{title}{rest}"))
+}
+
+fn conclusion(comparison: &Comparison) -> String {
+    let name = comparison.coefficient_name();
+    let points = comparison.points.iter();
+    let least = points.min_by(|one, other| one.exact.value.total_cmp(&other.exact.value));
+    let least = least.map_or(String::new(), |point| {
+        let (value, place) = (decimal(point.exact.value, 4), angle(point.angle));
+        format!("the least {name} is {value}, at {place}°")
+    });
+    match comparison.unstable.len() {
+        0 => format!("No angle of the sweep is unstable: {least}."),
+        1 => format!("The section gallops in one range of angles: {least}."),
+        count => format!("The section gallops in {count} ranges of angles: {least}."),
+    }
+}
+
+fn unstable(own: &UnstableRange) -> UnstableView {
+    let mode_of = own.mode.as_ref();
+    UnstableView {
+        angles: range(own.angles),
+        worst: format!("{}°", angle(own.worst)),
+        damping: certain(own.damping),
+        frequency: mode_of.map_or(String::new(), |mode| format!("{:.4} Hz", mode.frequency)),
+        mode: mode_of.map_or(String::new(), mode),
+    }
+}
+
+fn methods(comparison: &Comparison) -> Vec<MethodView> {
+    let name = comparison.coefficient_name();
+    let error = largest_error(&comparison.points);
+    let exact = MethodView {
+        name: "state matrix",
+        source: "Eq. (16)",
+        agreement: format!("the standard; {name} is certain to {error:.0e}"),
+        reasons: Vec::new(),
+    };
+    let others = comparison.agreements.iter().map(|own| {
+        let (name, source) = match own.method {
+            Method::Companion => ("companion matrix", "Eq. (19)"),
+            Method::Closed => ("closed form", "Eqs. (21)–(23)"),
+        };
+        MethodView {
+            name,
+            source,
+            agreement: agreement(own, comparison.points.len()),
+            reasons: reasons(own),
+        }
+    });
+    [exact].into_iter().chain(others).collect()
+}

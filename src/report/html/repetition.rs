@@ -1,0 +1,127 @@
+//! How everything on the page is had again.
+
+use std::slice::from_ref;
+
+use serde::Serialize;
+
+use super::Request;
+use crate::compile::fingerprint::fingerprint;
+use crate::derivation::diagnostic::SourceFile;
+
+/// Commands, and the files that they read.
+#[derive(Serialize)]
+pub struct Repetition {
+    commands: Vec<CommandView>,
+    files: Vec<FileView>,
+}
+
+#[derive(Serialize)]
+struct CommandView {
+    command: String,
+    gives: &'static str,
+}
+
+#[derive(Serialize)]
+struct FileView {
+    path: String,
+    what: &'static str,
+    sha256: String,
+}
+
+impl Repetition {
+    /// What made the page, and each part of it.
+    pub fn new(request: &Request) -> Self {
+        let document = argument("", request.document);
+        let mut commands = vec![
+            (
+                format!("sextic audit{document}"),
+                "every verdict with its conditions, neglected terms and counterexamples",
+            ),
+            (
+                format!("sextic audit{document} --explain ID"),
+                "the steps behind one verdict; the ID stands below it",
+            ),
+        ];
+        if request
+            .audits
+            .iter()
+            .any(|audit| !audit.matchings.is_empty())
+        {
+            commands.push((
+                format!("sextic match{document}"),
+                "the matching, power by power",
+            ));
+        }
+        let mut files = Vec::new();
+        for audit in request.audits {
+            files.extend(audit.sources.iter().map(|source| file(source, "document")));
+        }
+        let case = request.case.map(|case| &case.files);
+        if let Some([case_file, table]) = case {
+            let case = argument("", Some(&case_file.path));
+            commands.extend([
+                (
+                    format!("sextic stability{case}"),
+                    "the unstable ranges and how the methods agree",
+                ),
+                (
+                    format!("sextic stability{case} --plot curves.svg"),
+                    "the curves",
+                ),
+                (
+                    format!("sextic stability{case} --format json"),
+                    "every angle with every method and the bounds of all errors",
+                ),
+            ]);
+            files.push(file(case_file, "case"));
+            files.push(file(table, "table of coefficients"));
+        }
+        let case = argument(" --case", case.map(|[file, _]| file.path.as_str()));
+        commands.push((
+            format!("sextic report{document}{case} --out report.html"),
+            "this page",
+        ));
+        let commands = commands.into_iter();
+        Repetition {
+            commands: commands
+                .map(|(command, gives)| CommandView { command, gives })
+                .collect(),
+            files,
+        }
+    }
+}
+
+fn file(source: &SourceFile, what: &'static str) -> FileView {
+    FileView {
+        path: source.path.clone(),
+        what,
+        sha256: fingerprint(from_ref(source)),
+    }
+}
+
+/// An option with its value as a shell reads it; nothing where there is no value.
+fn argument(option: &str, value: Option<&str>) -> String {
+    value.map_or(String::new(), |value| format!("{option} {}", quoted(value)))
+}
+
+/// A word as a POSIX shell reads it.
+fn quoted(word: &str) -> String {
+    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "./_-+,=@%:".contains(letter);
+    if !word.is_empty() && word.chars().all(is_plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_quoted_where_a_shell_would_split_them() {
+        assert_eq!(quoted("a/b-1.md"), "a/b-1.md");
+        assert_eq!(quoted("my case's.toml"), r"'my case'\''s.toml'");
+        assert_eq!(argument(" --case", None), "");
+    }
+}

@@ -1,0 +1,200 @@
+//! The statements of a block that assert nothing: declarations, definitions, and what is compiled.
+
+use serde::Serialize;
+
+use super::escape;
+use super::mathematics::{expression, formula};
+use crate::derivation::notation::Notation;
+use crate::derivation::syntax::{
+    EvaluatorBody, Expression, Name, Node, Place, Replacement, Sign, Spanned, StatementKind,
+};
+use crate::report::words;
+
+const NOTATION: Notation = Notation::Latex;
+
+/// A row of a table of quantities.
+#[derive(Serialize)]
+pub struct QuantityView {
+    /// HTML.
+    symbol: String,
+    kind: &'static str,
+    unit: String,
+    meaning: String,
+}
+
+/// A statement in a line or more: a word, and formulas.
+#[derive(Serialize)]
+pub struct LineView {
+    keyword: String,
+    /// HTML, each in a line of its own.
+    formulas: Vec<String>,
+    description: Option<String>,
+}
+
+/// What a statement declares, if it declares quantities.
+pub fn quantity(statement: &StatementKind) -> Option<QuantityView> {
+    let view = |names: &[Spanned<Name>], more: &str, kind, unit: &str, words: &Option<String>| {
+        let names: Vec<String> = names
+            .iter()
+            .map(|name| NOTATION.name(&name.value))
+            .collect();
+        QuantityView {
+            symbol: formula(&format!("{}{more}", names.join(", "))),
+            kind,
+            unit: unit.to_owned(),
+            meaning: words.clone().unwrap_or_default(),
+        }
+    };
+    Some(match statement {
+        StatementKind::Parameter {
+            names,
+            unit,
+            sign,
+            description,
+        } => {
+            let sign = sign.map_or("", |sign| match sign {
+                Sign::Positive => " > 0",
+                Sign::NonNegative => r" \ge 0",
+                Sign::NonZero => r" \ne 0",
+            });
+            view(names, sign, "parameter", &unit.value, description)
+        }
+        StatementKind::Angle { names, description } => view(names, "", "angle", "rad", description),
+        StatementKind::Coordinate {
+            names,
+            unit,
+            description,
+        } => view(names, "(t)", "coordinate", &unit.value, description),
+        StatementKind::Function {
+            names,
+            reference,
+            unit,
+            description,
+        } => {
+            let argument = format!(r"\left({}\right)", NOTATION.expression(reference));
+            view(names, &argument, "function", &unit.value, description)
+        }
+        StatementKind::Imaginary { name } => view(
+            std::slice::from_ref(name),
+            "^{2} = -1",
+            "imaginary unit",
+            "1",
+            &None,
+        ),
+        _ => return None,
+    })
+}
+
+/// A statement that neither declares quantities nor asserts or matches anything.
+pub fn line(statement: &StatementKind) -> Option<LineView> {
+    let view = |keyword: &str, formulas, description: &Option<String>| LineView {
+        keyword: keyword.to_owned(),
+        formulas,
+        description: description.clone(),
+    };
+    Some(match statement {
+        StatementKind::Import { path } => view("import", vec![escape(&path.value)], &None),
+        StatementKind::Assume {
+            relation,
+            description,
+        } => view(
+            "assume",
+            vec![formula(&NOTATION.relation(relation))],
+            description,
+        ),
+        StatementKind::Definition {
+            names,
+            arguments,
+            values,
+        } => {
+            let arguments: Vec<String> = arguments
+                .iter()
+                .map(|name| NOTATION.name(&name.value))
+                .collect();
+            let arguments = match arguments.as_slice() {
+                [] => String::new(),
+                some => format!(r"\left({}\right)", some.join(", ")),
+            };
+            let definitions = names.iter().zip(values).map(|(name, value)| {
+                let (name, value) = (NOTATION.name(&name.value), NOTATION.expression(value));
+                formula(&format!("{name}{arguments} \\coloneqq {value}"))
+            });
+            view("", definitions.collect(), &None)
+        }
+        StatementKind::Substitution { name, replacements } => view(
+            &format!("substitution {}", name.value),
+            vec![list(replacements.iter().map(replacement))],
+            &None,
+        ),
+        StatementKind::Evaluator {
+            label,
+            name,
+            body,
+            conditions,
+            description,
+        } => {
+            let mut formulas = outputs(body);
+            if !conditions.is_empty() {
+                let conditions = conditions
+                    .iter()
+                    .map(|own| formula(&NOTATION.relation(own)));
+                formulas.push(format!("where {}", list(conditions)));
+            }
+            let keyword = format!("evaluator {} {}", words::label(label), name.value.ascii);
+            view(&keyword, formulas, description)
+        }
+        StatementKind::Domain(ranges) => {
+            view("domain", vec![list(ranges.iter().map(range))], &None)
+        }
+        _ => return None,
+    })
+}
+
+fn outputs(body: &EvaluatorBody) -> Vec<String> {
+    match body {
+        EvaluatorBody::Outputs(outputs) => outputs
+            .iter()
+            .map(|(name, value)| {
+                let value = NOTATION.expression(value);
+                formula(&format!("{} = {value}", NOTATION.name(&name.value)))
+            })
+            .collect(),
+        EvaluatorBody::Special { general, place } => {
+            let place = match place {
+                Place::Named(name) => escape(&name.value.unicode),
+                Place::Replacements(all) => list(all.iter().map(replacement)),
+            };
+            vec![format!("{} at {place}", escape(&general.value.ascii))]
+        }
+    }
+}
+
+fn replacement(replacement: &Replacement) -> String {
+    let (target, value) = (&replacement.target, &replacement.value);
+    formula(&format!(
+        "{} = {}",
+        NOTATION.expression(target),
+        NOTATION.expression(value)
+    ))
+}
+
+/// `m ∈ [1, 50]`
+fn range(range: &Replacement) -> String {
+    let entries = match &range.value.node {
+        Node::Matrix(rows) => rows.concat(),
+        _ => vec![range.value.clone()],
+    };
+    let entries: Vec<String> = entries
+        .iter()
+        .map(|entry: &Expression| NOTATION.expression(entry))
+        .collect();
+    format!(
+        "{} {}",
+        expression(&range.target),
+        formula(&format!(r"\in [{}]", entries.join(", ")))
+    )
+}
+
+fn list(formulas: impl Iterator<Item = String>) -> String {
+    formulas.collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,230 @@
+//! `sextic report` as a user runs it: one file, complete, well formed, and on its own.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use roxmltree::{Document, Node, ParsingOptions};
+use serde_json::Value;
+
+use super::{block, document, sextic};
+
+fn out(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("reports");
+    std::fs::create_dir_all(&folder).expect("a folder for reports");
+    let path = folder.join(name);
+    let _ = std::fs::remove_file(&path);
+    path
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().expect("a path")
+}
+
+/// The exit status, standard error, and the page if there is one.
+fn report(arguments: &[&str], out: &Path) -> (Option<i32>, String, Option<String>) {
+    let output = sextic(&[&["report", "--out", text(out)], arguments].concat());
+    let errors = String::from_utf8(output.stderr).expect("UTF-8");
+    (
+        output.status.code(),
+        errors,
+        std::fs::read_to_string(out).ok(),
+    )
+}
+
+fn parse(page: &str) -> Document<'_> {
+    let options = ParsingOptions {
+        allow_dtd: true,
+        ..ParsingOptions::default()
+    };
+    Document::parse_with_options(page, options).expect("a well-formed page")
+}
+
+fn words(node: Node) -> String {
+    let texts = node
+        .descendants()
+        .filter_map(|own| own.text().filter(|_| own.is_text()));
+    texts.collect()
+}
+
+/// Nothing is loaded, nothing runs, every anchor is there, and no identifier twice.
+fn stands_alone(page: &Document) {
+    let mut identifiers = BTreeSet::new();
+    for node in page.descendants() {
+        let identifier = node.attribute("id");
+        assert!(
+            identifier.is_none_or(|id| identifiers.insert(id)),
+            "{identifier:?} twice"
+        );
+    }
+    for node in page.descendants().filter(Node::is_element) {
+        let name = node.tag_name().name();
+        let forbidden = [
+            "script", "link", "iframe", "object", "embed", "base", "img", "image", "use",
+        ];
+        assert!(!forbidden.contains(&name), "<{name}>");
+        for attribute in node.attributes() {
+            let (key, value) = (attribute.name(), attribute.value());
+            assert!(
+                !key.starts_with("on") && key != "src" && key != "srcset",
+                "{key}={value}"
+            );
+            if key == "href" {
+                assert_eq!(name, "a", "{value}");
+                let is_anchor = value
+                    .strip_prefix('#')
+                    .is_some_and(|id| identifiers.contains(id));
+                let is_address = ["https://", "http://", "mailto:"]
+                    .iter()
+                    .any(|scheme| value.starts_with(scheme));
+                assert!(is_anchor || is_address, "{value}");
+            }
+            assert!(!value.contains("url("), "{value}");
+        }
+        if name == "style" {
+            let sheet = words(node);
+            assert!(!sheet.contains("url(") && !sheet.contains("@import"));
+        }
+    }
+}
+
+fn case() -> String {
+    format!(
+        "{}/derivations/cases/tuned.toml",
+        env!("CARGO_MANIFEST_DIR")
+    )
+}
+
+#[test]
+fn the_report_is_whole_and_refers_to_nothing_outside_of_itself() {
+    let (first, second) = (out("first.html"), out("second.html"));
+    let case = case();
+    let (status, errors, page) = report(&["--case", &case], &first);
+    assert_eq!((status, errors.as_str()), (Some(0), ""));
+    let page = page.expect("a page");
+    assert_eq!(Some(&page), report(&["--case", &case], &second).2.as_ref());
+
+    let page = parse(&page);
+    stands_alone(&page);
+    let root = page.root_element();
+    assert_eq!(root.attribute("lang"), Some("en"));
+    let of = |name: &'static str| root.descendants().filter(move |own| own.has_tag_name(name));
+    assert_eq!(of("h1").count(), 1);
+    assert_eq!(of("merror").count(), 0, "every formula is understood");
+    assert!(of("math").count() > 500);
+    assert!(of("table").all(|table| {
+        table
+            .descendants()
+            .any(|own| own.attribute("scope") == Some("col"))
+    }));
+    let figure = of("svg").next().expect("the curves");
+    assert!(
+        figure
+            .children()
+            .any(|own| own.has_tag_name((figure.tag_name().namespace().unwrap_or(""), "title")))
+    );
+
+    let audit = sextic(&["audit", "--format", "json"]);
+    let audit: Value = serde_json::from_slice(&audit.stdout).expect("JSON");
+    for claim in audit["documents"][0]["claims"].as_array().expect("claims") {
+        let id = format!("document-1-claim-{}", claim["id"].as_str().expect("an id"));
+        let own = root
+            .descendants()
+            .find(|own| own.attribute("id") == Some(&*id));
+        let said = words(own.unwrap_or_else(|| panic!("there is no {id}")));
+        for key in ["verdict", "label", "description"] {
+            let expected = claim[key].as_str().unwrap_or_default();
+            assert!(said.contains(expected), "{id}: {key} {expected} in {said}");
+        }
+        for (key, keyword) in [
+            ("conditions", "where"),
+            ("neglected", "neglects"),
+            ("witness", "at"),
+        ] {
+            let given = &claim[key];
+            if given.is_object() || given.as_array().is_some_and(|all| !all.is_empty()) {
+                let terms = own.into_iter().flat_map(|own| own.descendants());
+                let mut terms = terms.filter(|own| own.has_tag_name("dt"));
+                assert!(terms.any(|own| words(own) == keyword), "{id}: {keyword}");
+            }
+        }
+    }
+    let said = words(root);
+    for expected in [
+        "The coefficients, power by power",
+        "Where the section gallops",
+        "21° to 180°",
+        "1, mostly theta",
+        "How the methods agree",
+        "sextic audit --explain ID",
+        "sextic match",
+        "formulas.csv",
+    ] {
+        assert!(said.contains(expected), "{expected}");
+    }
+}
+
+#[test]
+fn hostile_text_is_shown_and_not_obeyed() {
+    let hostile = "# A <script>alert('title')</script> & \"quotes\"\n\n\
+        <script>alert(1)</script>\n\nInline <img src=\"https://nowhere.example/x.png\"> and &amp;\u{1} \
+        ![picture](https://nowhere.example/y.png) [run](javascript:alert(2)) [file](other.md)\n\n\
+        ```sextic\nparameter a, b : m \"<b onclick='x'>bold</b> & {{ 1 + 1 }}\"\n\
+        claim [one]: a + b == b + a \"</p><script>alert(3)</script>\"\n```\n";
+    let path = document("hostile.md", hostile);
+    let (status, errors, page) = report(&[text(&path)], &out("hostile.html"));
+    assert_eq!((status, errors.as_str()), (Some(0), ""));
+    let page = page.expect("a page");
+    let page = parse(&page);
+    stands_alone(&page);
+    let said = words(page.root_element());
+    for expected in [
+        "A <script>alert('title')</script> & \"quotes\"",
+        "<script>alert(1)</script>",
+        "<b onclick='x'>bold</b> & {{ 1 + 1 }}",
+        "</p><script>alert(3)</script>",
+        "picture run file",
+    ] {
+        assert!(said.contains(expected), "{expected} in {said}");
+    }
+}
+
+#[test]
+fn a_verdict_that_differs_is_reported_with_status_1() {
+    let path = document("differs.md", &block("claim [one]: a == b"));
+    let (status, errors, page) = report(&[text(&path)], &out("differs.html"));
+    assert_eq!(status, Some(1));
+    assert!(
+        errors.contains("1 of 1 verdicts is NOT as the document expects"),
+        "{errors}"
+    );
+    let page = page.expect("a page");
+    let said = words(parse(&page).root_element());
+    assert!(said.contains("NOT AS EXPECTED: the document expects “holds”"));
+    assert!(said.contains("Verdicts that differ"));
+}
+
+#[test]
+fn wrong_input_leaves_no_report() {
+    let wrong = document("wrong_report.md", &block("claim [one]: a == c"));
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
+    let path = out("none.html");
+    for (arguments, path, message) in [
+        (&[text(&wrong)][..], path.clone(), "wrong_report.md:5:"),
+        (
+            &["no-such-document.md"],
+            path.clone(),
+            "there is no such file",
+        ),
+        (
+            &["--case", "none.toml"],
+            path.clone(),
+            "there is no such file",
+        ),
+        (&[], folder.join("none").join("r.html"), "cannot be written"),
+        (&[], folder, "it is a folder"),
+    ] {
+        let (status, errors, page) = report(arguments, &path);
+        assert_eq!((status, page), (Some(2), None), "{errors}");
+        assert!(errors.contains(message), "{errors}");
+    }
+}
