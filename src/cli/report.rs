@@ -67,6 +67,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         document: arguments.document.as_deref(),
         audits: &audits,
         case: case.as_ref(),
+        version: env!("CARGO_PKG_VERSION"),
     };
     let path = &arguments.out;
     let written = html::page(&request)

@@ -47,6 +47,8 @@ pub struct Request<'a> {
     pub audits: &'a [Audit],
     /// A case, if there is one.
     pub case: Option<&'a CaseFiles>,
+    /// The version of the command.
+    pub version: &'a str,
 }
 
 /// A case at all its angles, and the files that it was read from.
@@ -60,12 +62,12 @@ pub struct CaseFiles {
 
 /// What the template of the page is given.
 #[derive(Serialize)]
-struct PageView {
+struct PageView<'a> {
     title: String,
     documents: Vec<DocumentView>,
     case: Option<CaseView>,
     repetition: Repetition,
-    version: &'static str,
+    version: &'a str,
 }
 
 /// Writes the page; the same request gives the same bytes.
@@ -85,7 +87,7 @@ pub fn page(request: &Request) -> Result<String, String> {
         documents,
         case: request.case.map(CaseView::new).transpose()?,
         repetition: Repetition::new(request),
-        version: env!("CARGO_PKG_VERSION"),
+        version: request.version,
     };
     let failed = |error: tera::Error| format!("the page could not be made: {error:?}");
     let mut tera = Tera::new();

@@ -56,8 +56,14 @@ fn mathml(latex: &str) -> Option<String> {
     let mut written = String::new();
     let certain = events.map(Ok::<_, std::convert::Infallible>);
     push_mathml(&mut written, certain, RenderConfig::default()).ok()?;
-    // The library leaves the sign of a relation as it is, and an accent an identifier.
+    // The library leaves the sign of a relation as it is, forgets a space, counts the space before cos²
+    // to its base, and makes an accent an identifier.
     let written = written.replace("><<", ">&lt;<");
+    let written = written.replace(r#""minsize"#, r#"" minsize"#);
+    let written = written.replace(
+        r#"<msup><mspace width="0.1667em" />"#,
+        r#"<mspace width="0.1667em" /><msup>"#,
+    );
     let written = ["˙", "¨"].iter().fold(written, |written, accent| {
         let (own, better) = (
             format!("<mi>{accent}</mi></mover>"),
