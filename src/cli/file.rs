@@ -1,10 +1,11 @@
 //! One file: read as text within a limit, and written whole or not at all.
 
 use std::fs;
-use std::io::{self, ErrorKind, Read, Write};
+use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
 use super::Outcome;
+use super::folder::stage;
 use super::output::wrong;
 
 /// Larger files are no case and no table.
@@ -43,17 +44,7 @@ pub fn write_text(path: &Path, text: &str) -> io::Result<()> {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".sextic-");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // As any other file, rather than for the user alone.
-        builder.permissions(fs::Permissions::from_mode(0o666));
-    }
-    let mut file = builder.tempfile_in(folder)?;
-    file.write_all(text.as_bytes())?;
-    file.as_file().sync_all()?;
+    let file = stage(folder, text)?;
     file.persist(&path).map_err(|error| error.error)?;
     Ok(())
 }

@@ -167,7 +167,11 @@ fn forget_interrupted(folder: &Path) {
 }
 
 /// A text on the disk that has no name yet.
-fn stage(folder: &Path, text: &str) -> io::Result<NamedTempFile> {
+///
+/// # Errors
+///
+/// If the folder cannot be written to, or the disk is full.
+pub fn stage(folder: &Path, text: &str) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(STAGED);
     #[cfg(unix)]

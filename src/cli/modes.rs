@@ -48,7 +48,7 @@ enum Method {
     Closed,
     /// By a form that holds at every eccentricity: not built yet
     Uniform,
-    /// By exact algebra: not built yet
+    /// All six with a certain error, without an eigenvalue routine: not built yet
     Exact,
     /// By the companion matrix of the characteristic polynomial (19)
     Companion,
