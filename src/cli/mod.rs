@@ -12,11 +12,17 @@ mod match_coefficients;
 #[cfg(feature = "stability")]
 mod modes;
 mod output;
+#[cfg(feature = "parquet")]
+mod parquet;
+#[cfg(feature = "stability")]
+mod partial;
 #[cfg(feature = "stability")]
 mod report;
 mod source;
 #[cfg(feature = "stability")]
 mod stability;
+#[cfg(feature = "stability")]
+mod sweep;
 
 use std::process::ExitCode;
 
@@ -64,6 +70,8 @@ enum Command {
     #[cfg(feature = "stability")]
     Stability(stability::Arguments),
     #[cfg(feature = "stability")]
+    Sweep(sweep::Arguments),
+    #[cfg(feature = "stability")]
     Modes(modes::Arguments),
     #[cfg(feature = "stability")]
     Figures(figures::Arguments),
@@ -88,6 +96,8 @@ pub fn run() -> ExitCode {
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         #[cfg(feature = "stability")]
         Command::Stability(arguments) => stability::run(&arguments),
+        #[cfg(feature = "stability")]
+        Command::Sweep(arguments) => sweep::run(&arguments),
         #[cfg(feature = "stability")]
         Command::Modes(arguments) => modes::run(&arguments),
         #[cfg(feature = "stability")]

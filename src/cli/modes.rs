@@ -59,7 +59,9 @@ enum Method {
 const EXAMPLES: &str = "\
 Names:
   m, r, L_g, alpha_g, theta_0, omega_x, omega_y, omega_theta; zeta_x, zeta_y, zeta_theta unless the
-  method is closed; U, and unless it is 0: rho, D, alpha_0, L_a, gamma_r, C_D, C_L, C_M, dC_D, dC_L, dC_M
+  method is closed; U, and unless it is 0: rho, D, alpha_0, L_a, gamma_r, C_D, C_L, C_M, dC_D, dC_L, dC_M;
+  in place of the last nine the entries of the scaled damping matrix (18) may be given by rows:
+  S_xx, S_xy, S_xt, S_yx, S_yy, S_yt, S_tx, S_ty, S_tt
 
 Examples:
   sextic modes --set m=3.5 --set r=0.0178 --set L_g=0.004 --set alpha_g=0.5 --set theta_0=0 \\
@@ -108,7 +110,7 @@ fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
     let mut found = match arguments.method {
         Method::Companion => by_spectrum("companion", companion::eigenvalues(&model), &section),
         Method::Closed => {
-            let closed = closed_form(&model).map_err(|limitation| {
+            let closed = closed_form(&section).map_err(|limitation| {
                 wrong(
                     &limitation.to_string(),
                     "`--method state` applies to every section",
@@ -121,7 +123,9 @@ fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
                     .iter()
                     .map(|value| (*value, None))
                     .collect(),
-                damping_coefficient: section.damping_coefficient(closed.largest_real_part()),
+                damping_coefficient: section
+                    .damping_coefficient(closed.largest_real_part())
+                    .map(|damping| (damping, None)),
                 warnings: closed.warnings.iter().map(ToString::to_string).collect(),
             })
         }
@@ -152,7 +156,7 @@ fn by_spectrum(
     Ok(ModesFound {
         method,
         eigenvalues: pairs.map(|own| (own.value, Some(own.error))).collect(),
-        damping_coefficient: damping.map(|(damping, _)| damping),
+        damping_coefficient: damping.map(|(damping, error)| (damping, Some(error))),
         warnings: is_undecided
             .then(|| "S_3D is smaller than its error: its sign is not certain".to_string())
             .into_iter()
@@ -166,14 +170,6 @@ fn values(set: &[Fixed]) -> Result<BTreeMap<String, f64>, Outcome> {
     let mut values = BTreeMap::new();
     for number in set {
         let name = &number.name;
-        if name.starts_with("S_") {
-            return Err(wrong(
-                &format!(
-                    "`{name}` is an entry of the scaled damping matrix, which is not taken yet"
-                ),
-                "give the coefficients C_D, C_L, C_M and their derivatives dC_D, dC_L, dC_M per radian",
-            ));
-        }
         if !known.contains(name) {
             return Err(unknown(
                 &format!("nothing is called `{name}`"),

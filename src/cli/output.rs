@@ -36,24 +36,24 @@ pub enum Results {
     Json,
 }
 
-/// Writes results, with colours only where they are seen.
+/// Writes a part of the results, with colours only where they are seen; whether more of them is read.
 ///
 /// A reader who has seen enough closes the pipe: that is no mistake of anybody.
-fn print(text: &str) -> Result<(), io::Error> {
+pub fn stream(text: &str) -> Result<bool, io::Error> {
     let mut stream = anstream::stdout().lock();
     let written = stream
         .write_all(text.as_bytes())
         .and_then(|()| stream.flush());
     match written {
-        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        written => written,
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
+        written => written.map(|()| true),
     }
 }
 
 /// Writes results: the outcome, which is worse if they cannot be written.
 pub fn finish(text: &str, outcome: Outcome) -> Outcome {
-    match print(text) {
-        Ok(()) => outcome,
+    match stream(text) {
+        Ok(_) => outcome,
         Err(error) => {
             complain(&format!("standard output cannot be written: {error}\n"));
             outcome.max(Outcome::Differs)

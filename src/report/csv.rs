@@ -1,6 +1,10 @@
-//! A comparison as a table for spreadsheets and programs.
+//! Comparisons and grids as tables for spreadsheets and programs.
 
+use std::fmt::Write;
+
+use crate::stability::closed_form::Limitation;
 use crate::stability::comparison::{Comparison, Value};
+use crate::stability::grid::{Grid, GridPoint};
 
 use super::stability::{angle, certain, decimal};
 
@@ -52,4 +56,67 @@ pub fn comparison(comparison: &Comparison) -> String {
         text += &(cells.join(",") + "\n");
     }
     text
+}
+
+/// The heading of the rows of a grid, with the end of the line: its quantities, S by the methods that are
+/// asked, bounds of their errors, the frequency and the coordinate that moves most in the mode with the
+/// least damping, and what speaks against the closed form.
+pub fn grid_heading(grid: &Grid) -> String {
+    let methods = grid.methods();
+    let optional = [
+        (methods.exact, "s3d_exact"),
+        (methods.companion, "s3d_companion"),
+        (methods.closed, "s3d_closed"),
+        (methods.exact, "error_exact"),
+        (methods.companion, "error_companion"),
+        (methods.exact, "frequency_hz"),
+        (methods.exact, "mostly"),
+        (methods.closed, "closed_limits"),
+    ];
+    let asked = optional.iter().filter(|(is_asked, _)| *is_asked);
+    let variables = grid.variables().map(|variable| variable.name);
+    let names: Vec<&str> = variables.chain(asked.map(|(_, name)| *name)).collect();
+    names.join(",") + "\n"
+}
+
+/// A row of a grid, with the end of the line: an empty cell is a method that does not apply, or has no
+/// answer.
+///
+/// S has the decimals that are certain, nine at most.
+pub fn grid_row(grid: &Grid, point: &GridPoint) -> String {
+    let methods = grid.methods();
+    let mut row = String::with_capacity(96);
+    // Writing to a string cannot fail.
+    for value in &point.values {
+        let _ = write!(row, "{value},");
+    }
+    let mut cell = |is_asked: bool, text: Option<String>| {
+        if is_asked {
+            row += &text.unwrap_or_default();
+            row.push(',');
+        }
+    };
+    let error = |value: Value| format!("{:.0e}", value.error);
+    cell(methods.exact, point.exact.map(certain));
+    cell(methods.companion, point.companion.map(certain));
+    cell(
+        methods.closed,
+        point.closed.map(|closed| decimal(closed, 9)),
+    );
+    cell(methods.exact, point.exact.map(error));
+    cell(methods.companion, point.companion.map(error));
+    let (frequency, mostly) = point.critical.unzip();
+    cell(
+        methods.exact,
+        frequency.map(|frequency| decimal(frequency, 6)),
+    );
+    cell(
+        methods.exact,
+        mostly.map(|mostly| mostly.name().to_string()),
+    );
+    let limits: Vec<&str> = point.limitations.iter().map(Limitation::name).collect();
+    cell(methods.closed, Some(limits.join(" ")));
+    row.pop();
+    row.push('\n');
+    row
 }

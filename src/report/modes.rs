@@ -9,8 +9,8 @@ pub struct ModesFound {
     pub method: &'static str,
     /// λ in 1/s, one of each pair of conjugates, with a bound of its error if the method gives one.
     pub eigenvalues: Vec<(Complex<f64>, Option<f64>)>,
-    /// S_3D; `None` without wind.
-    pub damping_coefficient: Option<f64>,
+    /// S_3D, with a bound of its error if the method gives one; `None` without wind.
+    pub damping_coefficient: Option<(f64, Option<f64>)>,
     /// What speaks against the answer, and what was given in vain.
     pub warnings: Vec<String>,
 }

@@ -9,9 +9,13 @@ const MOST_DECIMALS: usize = 9;
 
 /// A number with the decimals that are certain, nine at most.
 pub fn certain(value: Value) -> String {
-    let decimals = -(2.0 * value.error).log10();
-    let decimals = decimals.floor().clamp(0.0, MOST_DECIMALS as f64) as usize;
-    decimal(value.value, decimals)
+    decimal(value.value, decimals(value.error, MOST_DECIMALS))
+}
+
+/// How many decimals an error leaves certain.
+pub fn decimals(error: f64, most: usize) -> usize {
+    let decimals = -(2.0 * error).log10();
+    decimals.floor().clamp(0.0, most as f64) as usize
 }
 
 /// A number with so many decimals, and no sign before zero.

@@ -5,6 +5,7 @@ use serde::Deserialize;
 use super::case_file::File;
 use super::case_keys::{Lines, check_keys, not_read};
 use super::error::StabilityError;
+use super::forces::Forces;
 use super::input::{InputError, Place};
 use super::interpolation::Interpolation;
 use super::section::{Coefficients, Parameters, Section};
@@ -55,7 +56,7 @@ use super::section::{Coefficients, Parameters, Section};
 pub struct Case {
     /// The file as the user named it.
     pub file: String,
-    /// All that does not change with the angle; coefficients, α_0 and θ_0 are 0.
+    /// All that does not change with the angle; forces, α_0 and θ_0 are 0.
     pub parameters: Parameters,
     /// The coefficient table, relative to the folder of the case file.
     pub coefficients: String,
@@ -128,7 +129,7 @@ impl Case {
                 wind_speed: read.wind.U,
                 wind_angle: 0.0,
                 attitude: 0.0,
-                coefficients: Coefficients::default(),
+                forces: Forces::default(),
                 ..read.structure.parameters(file, &lines)?
             },
             coefficients: section.coefficients,
@@ -154,21 +155,26 @@ impl Case {
         alpha_deg: f64,
         coefficients: Coefficients,
     ) -> Result<Section, StabilityError> {
+        Section::new(self.parameters_at(alpha_deg, coefficients))
+    }
+
+    /// The parameters of that section, not checked.
+    pub(super) fn parameters_at(&self, alpha_deg: f64, coefficients: Coefficients) -> Parameters {
         let alpha = alpha_deg.to_radians();
         let (wind_angle, attitude) = match self.sweep.turn {
             Turn::Section => (0.0, alpha),
             Turn::Wind => (alpha, 0.0),
         };
-        Section::new(Parameters {
+        Parameters {
             wind_angle,
             attitude,
-            coefficients,
-            ..self.parameters.clone()
-        })
+            forces: coefficients.into(),
+            ..self.parameters
+        }
     }
 
     fn check(&self, lines: &Lines) -> Result<(), InputError> {
-        Section::new(self.parameters.clone()).map_err(|error| self.impossible(&error, lines))?;
+        Section::new(self.parameters).map_err(|error| self.impossible(&error, lines))?;
         let Sweep { from, to, step, .. } = self.sweep;
         let what = if ![from, to, step].iter().all(|number| number.is_finite()) {
             format!("the sweep from {from} to {to} in steps of {step} is not finite")

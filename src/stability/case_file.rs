@@ -5,9 +5,10 @@ use serde::Deserialize;
 use super::case::Turn;
 use super::case_keys::Lines;
 use super::coordinate::{Coordinate, FreeCoordinates};
+use super::forces::Forces;
 use super::input::InputError;
 use super::interpolation::Interpolation;
-use super::section::{Coefficients, Parameters};
+use super::section::Parameters;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -132,7 +133,7 @@ impl StructureTable {
             wind_speed: 0.0,
             wind_angle: 0.0,
             attitude: 0.0,
-            coefficients: Coefficients::default(),
+            forces: Forces::default(),
             free,
         })
     }

@@ -3,11 +3,9 @@
 use std::fmt;
 
 use num_complex::Complex;
-use sextic_evaluators::closed_form_in_wind::{
-    ClosedFormInWindAngles, ClosedFormInWindInputs, closed_form_in_wind,
-};
+use sextic_evaluators::closed_form::{ClosedFormAngles, ClosedFormInputs};
 
-use super::model::Model;
+use super::section::Section;
 
 /// What speaks against the closed forms for a section.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,6 +23,18 @@ pub enum Limitation {
         /// δ|S| with δ = ρ D U/(2 m ω_n) and the Frobenius norm of S_a, Eq. (18).
         damping: f64,
     },
+}
+
+impl Limitation {
+    /// In a word, as in tables: `held`, `detuned`, `damped` or `eccentricity`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Limitation::NotAllFree => "held",
+            Limitation::NotTuned => "detuned",
+            Limitation::StructuralDamping => "damped",
+            Limitation::Eccentricity { .. } => "eccentricity",
+        }
+    }
 }
 
 impl fmt::Display for Limitation {
@@ -77,9 +87,9 @@ impl ClosedForm {
 ///
 /// If they do not apply: [`Limitation::NotAllFree`], [`Limitation::NotTuned`]. Frequencies count as
 /// equal if they differ by at most 1e-9 of themselves.
-pub fn closed_form(model: &Model) -> Result<ClosedForm, Limitation> {
-    let section = model.section();
-    let (p, c) = (section.parameters(), section.parameters().coefficients);
+#[allow(non_snake_case)]
+pub fn closed_form(section: &Section) -> Result<ClosedForm, Limitation> {
+    let p = section.parameters();
     if !p.free.are_all() {
         return Err(Limitation::NotAllFree);
     }
@@ -88,25 +98,27 @@ pub fn closed_form(model: &Model) -> Result<ClosedForm, Limitation> {
     if !p.natural_frequencies.iter().all(is_tuned) {
         return Err(Limitation::NotTuned);
     }
-    let parts = closed_form_in_wind(&ClosedFormInWindInputs::from(&ClosedFormInWindAngles {
-        m: p.mass,
-        r: p.radius_of_gyration,
-        L_g: p.mass_centre_distance,
-        alpha_0: p.wind_angle,
-        alpha_g: p.mass_centre_angle,
-        theta_0: p.attitude,
-        gamma_r: p.aerodynamic_centre_angle,
-        rho: p.air_density,
-        D: p.reference_dimension,
-        U: p.wind_speed,
-        L_a: p.aerodynamic_centre_distance,
-        C_D: c.drag,
-        C_L: c.lift,
-        dC_D: c.drag_slope,
-        dC_L: c.lift_slope,
-        C_M: c.moment,
-        dC_M: c.moment_slope,
-    }));
+    let [[S_xx, S_xy, S_xt], [S_yx, S_yy, S_yt], [S_tx, S_ty, S_tt]] = section.scaled_damping();
+    let parts =
+        sextic_evaluators::closed_form::closed_form(&ClosedFormInputs::from(&ClosedFormAngles {
+            m: p.mass,
+            r: p.radius_of_gyration,
+            L_g: p.mass_centre_distance,
+            alpha_g: p.mass_centre_angle,
+            theta_0: p.attitude,
+            rho: p.air_density,
+            D: p.reference_dimension,
+            U: p.wind_speed,
+            S_xx,
+            S_xy,
+            S_yx,
+            S_yy,
+            S_xt,
+            S_yt,
+            S_tx,
+            S_ty,
+            S_tt,
+        }));
     let e = section.eccentricity();
     let eigenvalues = [
         Complex::new(parts.lamda_R1, omega_n / (1.0 - e).sqrt()),
@@ -117,7 +129,7 @@ pub fn closed_form(model: &Model) -> Result<ClosedForm, Limitation> {
     if p.damping_ratios.iter().any(|&ratio| ratio > 0.0) {
         warnings.push(Limitation::StructuralDamping);
     }
-    let damping = model.relative_aerodynamic_damping(omega_n);
+    let damping = section.relative_aerodynamic_damping();
     if e <= damping {
         warnings.push(Limitation::Eccentricity {
             eccentricity: e,

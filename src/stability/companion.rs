@@ -12,13 +12,14 @@ use super::ball::Ball;
 use super::eigenvalue::{Spectrum, best_spectrum};
 use super::enclosure::error_bounds;
 use super::error::StabilityError;
-use super::model::{Model, derived};
+use super::forces::{Forces, derived};
+use super::model::Model;
 use super::schur::approximate_eigenvalues;
 
 /// The eigenvalues as roots of the characteristic polynomial, Eq. (19), by its companion matrix.
 ///
-/// With all coordinates free the coefficients come from the generated evaluator, otherwise from the
-/// determinant of λ²M + λ(C_s + C_a) + K. Their rounding moves roots that lie δ apart by about
+/// With all coordinates free and force coefficients given, those of the polynomial come from the generated
+/// evaluator, otherwise from the determinant of λ²M + λ(C_s + C_a) + K. Their rounding moves roots that lie δ apart by about
 /// ε/δ² and more, relatively; the errors that are given count that.
 ///
 /// At most 8 Schur decompositions of at most 200 iterations, and as many times 36 Taylor expansions.
@@ -41,7 +42,8 @@ pub fn eigenvalues(model: &Model) -> Result<Spectrum, StabilityError> {
 /// below the largest natural frequency in rad/s, so that its coefficients are of one size.
 pub fn characteristic_polynomial(model: &Model) -> Polynomial<f64> {
     let coefficients = coefficients(model);
-    let leading = coefficients.last().map_or(1.0, |ball| ball.centre.re);
+    let coefficients = &coefficients[..=2 * model.freedom()];
+    let leading = coefficients[2 * model.freedom()].centre.re;
     let monic = coefficients.iter().map(|ball| ball.centre.re / leading);
     Polynomial::new(monic.collect())
 }
@@ -63,14 +65,14 @@ pub fn companion_matrix(polynomial: &Polynomial<f64>) -> DMatrix<f64> {
 }
 
 /// The coefficients with bounds of their errors, for λ in units of the model.
-fn coefficients(model: &Model) -> Vec<Ball> {
-    if !model.section().parameters().free.are_all() {
+fn coefficients(model: &Model) -> [Ball; 7] {
+    let p = model.section().parameters();
+    let Forces::Coefficients(c) = p.forces else {
+        return model.taylor(Complex::new(0.0, 0.0));
+    };
+    if !p.free.are_all() {
         return model.taylor(Complex::new(0.0, 0.0));
     }
-    let (p, c) = (
-        model.section().parameters(),
-        model.section().parameters().coefficients,
-    );
     let unit = model.frequency_unit;
     let [omega_x, omega_y, omega_theta] = p.natural_frequencies.map(|omega| omega / unit);
     let [zeta_x, zeta_y, zeta_theta] = p.damping_ratios;
@@ -105,12 +107,11 @@ fn coefficients(model: &Model) -> Vec<Ball> {
         out.c_0, out.c_1, out.c_2, out.c_3, out.c_4, out.c_5, out.c_6,
     ]
     .map(derived)
-    .into()
 }
 
 /// The coefficients of p(c + μ) in powers of μ, by repeated division by μ (Horner, Taylor).
-fn shifted(coefficients: &[Ball], point: Complex<f64>) -> Vec<Ball> {
-    let mut shifted = coefficients.to_vec();
+fn shifted(coefficients: &[Ball; 7], point: Complex<f64>) -> [Ball; 7] {
+    let mut shifted = *coefficients;
     for lowest in 0..shifted.len() {
         for power in (lowest..shifted.len() - 1).rev() {
             shifted[power] = shifted[power] + shifted[power + 1] * Ball::exact(point);

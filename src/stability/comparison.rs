@@ -5,9 +5,11 @@ mod point;
 mod range;
 
 pub use agreement::{Agreement, Method, Reason};
-pub(super) use point::point;
+pub(super) use point::Answers;
 pub use point::{FollowedMode, Point, Value};
 pub use range::{AngleRange, UnstableRange};
+
+use rayon::prelude::*;
 
 use super::case::Case;
 use super::coefficient_table::CoefficientTable;
@@ -34,6 +36,9 @@ pub struct Comparison {
     pub remarks: Vec<Remark>,
 }
 
+/// So many angles are answered at once: their matrices need little memory.
+const BLOCK: usize = 1024;
+
 /// Compares the methods at all angles of a case.
 ///
 /// The curve of S is the damping coefficient −4 m max λ_R/(ρ D U), Eq. (13): the exact one by the state
@@ -41,7 +46,7 @@ pub struct Comparison {
 /// the closed forms (21)–(23), where they apply. Modes are numbered by their frequency at the first angle,
 /// the highest first, and followed by their shapes.
 ///
-/// Linear in the number of angles: at each, two eigenvalue problems of at most 6×6.
+/// Linear in the number of angles: at each, two eigenvalue problems of at most 6×6, on all cores.
 ///
 /// # Errors
 ///
@@ -54,20 +59,27 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
     }
     let curves = CoefficientCurves::new(table, case.interpolation);
     let angles = case.sweep.angles();
-    let mut points = Vec::with_capacity(angles.len());
-    let mut before: Vec<(usize, Mode)> = Vec::new();
-    for &angle in &angles {
+    let answers = |&angle: &f64| -> Result<(f64, Answers), InputError> {
         let coefficients = curves.at(angle).map_err(|outside| {
             let help = format!("shorten the sweep in {}, or complete the table", case.file);
             InputError::new(Place::file(table.file()), outside.to_string(), help)
         })?;
-        let point = case
-            .section(angle, coefficients)
-            .and_then(|section| point(angle, &section, &mut before));
-        points.push(point.map_err(|error| {
+        let section = case.section(angle, coefficients);
+        let answers = section.and_then(|section| Answers::new(&section));
+        let answers = answers.map_err(|error| {
             let what = format!("at {angle}°: {error}");
             InputError::new(file.clone(), what, "correct the case or its table")
-        })?);
+        })?;
+        Ok((angle, answers))
+    };
+    let mut points = Vec::with_capacity(angles.len());
+    let mut before: Vec<(usize, Mode)> = Vec::new();
+    for block in angles.chunks(BLOCK) {
+        let answered: Vec<_> = block.par_iter().map(answers).collect();
+        for answered in answered {
+            let (angle, answers) = answered?;
+            points.push(answers.point(angle, &mut before));
+        }
     }
     let mut remarks = remarks(table);
     let corners = curves.corners(&angles);

@@ -43,8 +43,12 @@ impl Coordinate {
 /// assert!(FreeCoordinates::new(&[]).is_err());
 /// # Ok::<(), sextic::stability::error::StabilityError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct FreeCoordinates(Vec<Coordinate>);
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FreeCoordinates {
+    /// The free ones first, in order; the others are held.
+    order: [Coordinate; 3],
+    count: usize,
+}
 
 impl FreeCoordinates {
     /// These coordinates, in any order; one that is named twice is free once.
@@ -53,27 +57,31 @@ impl FreeCoordinates {
     ///
     /// If there are none.
     pub fn new(coordinates: &[Coordinate]) -> Result<Self, StabilityError> {
-        let mut free = coordinates.to_vec();
-        free.sort();
-        free.dedup();
-        if free.is_empty() {
-            return Err(StabilityError::NothingIsFree);
+        let mut order = Coordinate::ALL;
+        // A stable sort keeps the order of Eq. (9) within both groups.
+        order.sort_by_key(|own| !coordinates.contains(own));
+        let is_free = |own: &&Coordinate| coordinates.contains(own);
+        match Coordinate::ALL.iter().filter(is_free).count() {
+            0 => Err(StabilityError::NothingIsFree),
+            count => Ok(FreeCoordinates { order, count }),
         }
-        Ok(FreeCoordinates(free))
     }
 
     /// All three.
     pub fn all() -> Self {
-        FreeCoordinates(Coordinate::ALL.to_vec())
+        FreeCoordinates {
+            order: Coordinate::ALL,
+            count: Coordinate::ALL.len(),
+        }
     }
 
     /// The free coordinates, 1 to 3 of them, in order.
     pub fn as_slice(&self) -> &[Coordinate] {
-        &self.0
+        &self.order[..self.count]
     }
 
     /// Whether all three are free.
     pub fn are_all(&self) -> bool {
-        self.0.len() == Coordinate::ALL.len()
+        self.count == Coordinate::ALL.len()
     }
 }

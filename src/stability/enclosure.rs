@@ -19,14 +19,14 @@ struct Group {
 /// Bounds of the errors of approximate eigenvalues: there is a one-to-one assignment of the exact
 /// eigenvalues, none farther from its approximation than this.
 ///
-/// `taylor` gives the coefficients of the characteristic polynomial about a point, with as many
-/// roots as there are values. Disjoint discs are sought: what is not known to be apart becomes one
+/// `taylor` gives the coefficients of the characteristic polynomial, which is real, about a point; it has
+/// as many roots as there are values, and its further coefficients are 0. Disjoint discs are sought: what is not known to be apart becomes one
 /// group. `None` if the coefficients are not finite.
 ///
 /// N values cost at most N² expansions, and N if they are well apart.
 pub(super) fn error_bounds(
     values: &[Complex<f64>],
-    taylor: impl Fn(Complex<f64>) -> Vec<Ball>,
+    taylor: impl Fn(Complex<f64>) -> [Ball; 7],
 ) -> Option<Vec<f64>> {
     let group = |members: Vec<usize>| {
         let sum: Complex<f64> = members.iter().map(|&index| values[index]).sum();
@@ -38,7 +38,19 @@ pub(super) fn error_bounds(
             radius,
         }
     };
-    let mut groups: Vec<Group> = (0..values.len()).map(|index| group(vec![index])).collect();
+    let mut groups: Vec<Group> = Vec::with_capacity(values.len());
+    for (index, value) in values.iter().enumerate() {
+        // The polynomial is real: the disc of a conjugate is as large.
+        let known = groups.iter().find(|known| known.centre == value.conj());
+        groups.push(match known.map(|known| known.radius) {
+            Some(radius) => Group {
+                members: vec![index],
+                centre: *value,
+                radius,
+            },
+            None => group(vec![index]),
+        });
+    }
     // Each round leaves one group less.
     for _ in 0..values.len() {
         let Some((first, second)) = not_apart(&groups) else {
@@ -75,8 +87,8 @@ fn not_apart(groups: &[Group]) -> Option<(usize, usize)> {
 
 /// A radius R about the point of expansion within which there are exactly `count` roots; nearly
 /// the smallest that Pellet's theorem gives.
-fn pellet_radius(taylor: &[Ball], count: usize) -> Option<f64> {
-    let largest: Vec<f64> = taylor.iter().map(|ball| ball.largest()).collect();
+fn pellet_radius(taylor: &[Ball; 7], count: usize) -> Option<f64> {
+    let largest = taylor.map(Ball::largest);
     let dominant = taylor.get(count)?.smallest();
     if dominant <= 0.0 || !largest.iter().all(|size| size.is_finite()) {
         return None;
@@ -112,16 +124,19 @@ mod tests {
     use super::*;
 
     /// The Taylor coefficients of Π (z − root) about a point, and a bound of their rounding.
-    fn expanded(roots: &[Complex<f64>], point: Complex<f64>) -> Vec<Ball> {
-        let mut product = vec![Ball::ONE];
+    fn expanded(roots: &[Complex<f64>], point: Complex<f64>) -> [Ball; 7] {
+        let mut product = [Ball::ZERO; 7];
+        product[0] = Ball::ONE;
         for &root in roots {
             let constant = Ball::exact(point) + -Ball::exact(root);
-            let mut next = vec![Ball::ZERO; product.len() + 1];
-            for (power, &coefficient) in product.iter().enumerate() {
-                next[power] = next[power] + coefficient * constant;
-                next[power + 1] = next[power + 1] + coefficient;
+            for power in (0..7).rev() {
+                let below = if power > 0 {
+                    product[power - 1]
+                } else {
+                    Ball::ZERO
+                };
+                product[power] = product[power] * constant + below;
             }
-            product = next;
         }
         product
     }
@@ -168,7 +183,7 @@ mod tests {
 
     #[test]
     fn what_is_not_finite_has_no_bound() {
-        let taylor = |_| vec![Ball::real(f64::NAN, 0.0), Ball::ONE];
+        let taylor = |_| [Ball::real(f64::NAN, 0.0); 7];
         assert_eq!(error_bounds(&[Complex::new(0.0, 0.0)], taylor), None);
     }
 }

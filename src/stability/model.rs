@@ -2,10 +2,6 @@
 
 use nalgebra::DMatrix;
 use num_complex::Complex;
-use sextic_evaluators::aerodynamic_damping::{
-    AerodynamicDampingAngles, AerodynamicDampingInputs, aerodynamic_damping_with_bound,
-};
-use sextic_evaluators::bounded::Bounded;
 
 use super::ball::Ball;
 use super::error::StabilityError;
@@ -30,11 +26,14 @@ pub struct Model {
     section: Section,
     /// A power of 2 near the largest natural frequency, in rad/s.
     pub(super) frequency_unit: f64,
-    pub(super) mass: Vec<Vec<Ball>>,
-    structural_damping: Vec<Vec<Ball>>,
-    aerodynamic_damping: Vec<Vec<Ball>>,
-    pub(super) stiffness: Vec<Vec<Ball>>,
+    pub(super) mass: Matrix,
+    structural_damping: Matrix,
+    aerodynamic_damping: Matrix,
+    stiffness: Matrix,
 }
+
+/// A matrix for up to three free coordinates: with n of them only the first n rows and columns count.
+type Matrix = [[Ball; 3]; 3];
 
 impl Model {
     /// The model of a section.
@@ -44,11 +43,8 @@ impl Model {
     /// [`StabilityError::OutOfRange`] if a matrix overflows.
     pub fn new(section: &Section) -> Result<Self, StabilityError> {
         let p = section.parameters();
-        let free: Vec<usize> = section.free().iter().map(|free| free.index()).collect();
-        let largest = free
-            .iter()
-            .map(|&i| p.natural_frequencies[i])
-            .fold(0.0, f64::max);
+        let free = section.free().iter().map(|free| free.index());
+        let largest = free.map(|i| p.natural_frequencies[i]).fold(0.0, f64::max);
         let unit = largest.log2().floor().exp2();
         let [omega_x, omega_y, omega_theta] =
             p.natural_frequencies.map(|omega| rounded(omega / unit));
@@ -58,7 +54,7 @@ impl Model {
         let (sin, cos) = (e * rounded(angle.sin()), e * rounded(angle.cos()));
         let wind = p.air_density * p.reference_dimension * p.wind_speed / (2.0 * p.mass) / unit;
         let delta = Ball::real(wind, 4.0 * f64::EPSILON * wind + f64::MIN_POSITIVE);
-        let s_a = scaled_aerodynamic_damping(section);
+        let s_a = section.scaled_damping_with_bound();
 
         let mass = [
             [Ball::ONE, Ball::ZERO, sin],
@@ -67,13 +63,17 @@ impl Model {
         ];
         let two = Ball::real(2.0, 0.0);
         let ratio = |i: usize| Ball::real(p.damping_ratios[i], 0.0);
-        let matrix = |entry: &dyn Fn(usize, usize) -> Ball| -> Vec<Vec<Ball>> {
-            let row = |&i: &usize| free.iter().map(|&j| entry(i, j)).collect();
-            free.iter().map(row).collect()
+        let matrix = |entry: &dyn Fn(usize, usize) -> Ball| -> Matrix {
+            let own = |place: usize| section.free().get(place).map(|free| free.index());
+            let entry = |row, column| match (own(row), own(column)) {
+                (Some(i), Some(j)) => entry(i, j),
+                _ => Ball::ZERO,
+            };
+            std::array::from_fn(|row| std::array::from_fn(|column| entry(row, column)))
         };
         let diagonal = |i, j, entry: Ball| if i == j { entry } else { Ball::ZERO };
         let model = Model {
-            section: section.clone(),
+            section: *section,
             frequency_unit: unit,
             mass: matrix(&|i, j| mass[i][j]),
             structural_damping: matrix(&|i, j| diagonal(i, j, two * ratio(i) * omega[i])),
@@ -101,7 +101,7 @@ impl Model {
 
     /// n, the number of free coordinates: 1, 2 or 3.
     pub fn freedom(&self) -> usize {
-        self.mass.len()
+        self.section.free().len()
     }
 
     /// M, the mass matrix of Eq. (9), n×n: in kg/m, kg and kg·m.
@@ -145,21 +145,17 @@ impl Model {
     pub(super) fn scaled_state_matrix(&self) -> DMatrix<f64> {
         let n = self.freedom();
         let inverse = self.inverse_mass();
-        let damping = centres(&self.structural_damping) + centres(&self.aerodynamic_damping);
+        let damping =
+            self.centres(&self.structural_damping) + self.centres(&self.aerodynamic_damping);
         let mut matrix = DMatrix::zeros(2 * n, 2 * n);
         matrix.view_mut((0, n), (n, n)).fill_with_identity();
         matrix
             .view_mut((n, 0), (n, n))
-            .copy_from(&(-&inverse * centres(&self.stiffness)));
+            .copy_from(&(-&inverse * self.centres(&self.stiffness)));
         matrix
             .view_mut((n, n), (n, n))
             .copy_from(&(-&inverse * damping));
         matrix
-    }
-
-    /// δ|S| with δ = ρ D U/(2 m ω_n), and the Frobenius norm of S_a.
-    pub(super) fn relative_aerodynamic_damping(&self, omega_n: f64) -> f64 {
-        centres(&self.aerodynamic_damping).norm() * self.frequency_unit / omega_n
     }
 
     /// M⁻¹, scaled: M = I + N with N³ = |N|² N has the inverse I + (N² − N)/(1 − |N|²), where |N|² is
@@ -167,36 +163,32 @@ impl Model {
     fn inverse_mass(&self) -> DMatrix<f64> {
         let n = self.freedom();
         let identity = DMatrix::identity(n, n);
-        let coupling = centres(&self.mass) - &identity;
+        let coupling = self.centres(&self.mass) - &identity;
         let square = &coupling * &coupling;
         let strength = square[(n - 1, n - 1)];
         identity + (square - coupling) / (1.0 - strength)
     }
 
     /// c²M + cC + K, 2cM + C and M: the coefficients of B(c + μ) in powers of μ, where
-    /// B(λ) = λ²M + λC + K, scaled.
-    pub(super) fn dynamic_stiffness(&self, point: Complex<f64>) -> Vec<Vec<[Ball; 3]>> {
+    /// B(λ) = λ²M + λC + K, scaled. For coordinates that are held it is the unit matrix.
+    pub(super) fn dynamic_stiffness(&self, point: Complex<f64>) -> [[Quadratic; 3]; 3] {
         let c = Ball::exact(point);
-        let n = self.freedom();
         let entry = |i: usize, j: usize| {
+            if i.max(j) >= self.freedom() {
+                let unit = if i == j { Ball::ONE } else { Ball::ZERO };
+                return [unit, Ball::ZERO, Ball::ZERO];
+            }
             let (m, k) = (self.mass[i][j], self.stiffness[i][j]);
             let damping = self.structural_damping[i][j] + self.aerodynamic_damping[i][j];
             let once = c * m + damping;
             [c * once + k, c * m + once, m]
         };
-        (0..n)
-            .map(|i| (0..n).map(|j| entry(i, j)).collect())
-            .collect()
+        std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
     }
 
-    /// det B(c + μ) in powers of μ, scaled: 2n + 1 coefficients, that of μ⁰ first.
-    pub(super) fn taylor(&self, point: Complex<f64>) -> Vec<Ball> {
-        let entries: Vec<Vec<Vec<Ball>>> = self
-            .dynamic_stiffness(point)
-            .into_iter()
-            .map(|row| row.into_iter().map(Vec::from).collect())
-            .collect();
-        determinant(&entries)
+    /// det B(c + μ) in powers of μ, scaled, that of μ⁰ first; beyond 2n they are 0.
+    pub(super) fn taylor(&self, point: Complex<f64>) -> [Ball; 7] {
+        determinant(&self.dynamic_stiffness(point))
     }
 
     /// The length that turns coordinate `index` of the free ones into a length: r for θ, else 1.
@@ -208,50 +200,19 @@ impl Model {
     }
 
     /// A scaled matrix with its `rates` powers of the unit of frequency in SI units.
-    fn in_si(&self, matrix: &[Vec<Ball>], rates: i32) -> DMatrix<f64> {
+    fn in_si(&self, matrix: &Matrix, rates: i32) -> DMatrix<f64> {
         let factor = self.section.parameters().mass * self.frequency_unit.powi(rates);
-        let scaled = centres(matrix);
         let n = self.freedom();
         DMatrix::from_fn(n, n, |i, j| {
-            factor * scaled[(i, j)] * self.length(i) * self.length(j)
+            factor * matrix[i][j].centre.re * self.length(i) * self.length(j)
         })
     }
-}
 
-/// S_a of Eq. (18), by the generated evaluator.
-fn scaled_aerodynamic_damping(section: &Section) -> [[Ball; 3]; 3] {
-    let (p, c) = (section.parameters(), section.parameters().coefficients);
-    let s = aerodynamic_damping_with_bound(&AerodynamicDampingInputs::from(
-        &AerodynamicDampingAngles {
-            r: p.radius_of_gyration,
-            alpha_0: p.wind_angle,
-            gamma_r: p.aerodynamic_centre_angle,
-            theta_0: p.attitude,
-            D: p.reference_dimension,
-            L_a: p.aerodynamic_centre_distance,
-            C_D: c.drag,
-            C_L: c.lift,
-            dC_D: c.drag_slope,
-            dC_L: c.lift_slope,
-            C_M: c.moment,
-            dC_M: c.moment_slope,
-        },
-    ));
-    [
-        [s.S_xx, s.S_xy, s.S_xt],
-        [s.S_yx, s.S_yy, s.S_yt],
-        [s.S_tx, s.S_ty, s.S_tt],
-    ]
-    .map(|row| row.map(derived))
-}
-
-/// What a generated evaluator gives, with a bound that counts the rounding of sines and cosines:
-/// each of them enters at most four times, and not more heavily than the first product with it.
-pub(super) fn derived(value: Bounded) -> Ball {
-    Ball::real(
-        value.value,
-        8.0 * value.error + 4.0 * f64::EPSILON * value.value.abs(),
-    )
+    fn centres(&self, matrix: &Matrix) -> DMatrix<f64> {
+        DMatrix::from_fn(self.freedom(), self.freedom(), |i, j| {
+            matrix[i][j].centre.re
+        })
+    }
 }
 
 /// A number that is rounded, or a sine: right to a unit in the last place.
@@ -259,29 +220,28 @@ fn rounded(value: f64) -> Ball {
     Ball::real(value, f64::EPSILON * value.abs())
 }
 
-fn centres(matrix: &[Vec<Ball>]) -> DMatrix<f64> {
-    DMatrix::from_fn(matrix.len(), matrix.len(), |i, j| matrix[i][j].centre.re)
-}
+/// The coefficients of μ⁰, μ¹ and μ².
+type Quadratic = [Ball; 3];
 
-/// The determinant of a matrix of polynomials, by its first row.
-fn determinant(rows: &[Vec<Vec<Ball>>]) -> Vec<Ball> {
-    let Some((first, below)) = rows.split_first() else {
-        return vec![Ball::ONE];
-    };
-    let mut sum = vec![Ball::ZERO; 2 * rows.len() + 1];
+/// The determinant of a matrix of polynomials in μ, by its first row.
+fn determinant(rows: &[[Quadratic; 3]; 3]) -> [Ball; 7] {
+    let [first, second, third] = rows;
+    let mut sum = [Ball::ZERO; 7];
     for (column, entry) in first.iter().enumerate() {
-        let without = |row: &Vec<Vec<Ball>>| -> Vec<Vec<Ball>> {
-            let mut row = row.clone();
-            row.remove(column);
-            row
-        };
-        let minor = determinant(&below.iter().map(without).collect::<Vec<_>>());
-        for (i, &a) in entry.iter().enumerate() {
-            for (j, &b) in minor.iter().enumerate() {
-                let term = if column % 2 == 0 { a * b } else { -(a * b) };
-                sum[i + j] = sum[i + j] + term;
-            }
+        // The next columns in a circle give each minor its sign.
+        let (next, last) = ((column + 1) % 3, (column + 2) % 3);
+        let mut minor = [Ball::ZERO; 5];
+        for (i, j) in pairs(3, 3) {
+            let difference = second[next][i] * third[last][j] + -(second[last][i] * third[next][j]);
+            minor[i + j] = minor[i + j] + difference;
+        }
+        for (i, j) in pairs(3, 5) {
+            sum[i + j] = sum[i + j] + entry[i] * minor[j];
         }
     }
     sum
+}
+
+fn pairs(rows: usize, columns: usize) -> impl Iterator<Item = (usize, usize)> {
+    (0..rows).flat_map(move |row| (0..columns).map(move |column| (row, column)))
 }

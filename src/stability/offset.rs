@@ -1,7 +1,7 @@
 //! A section with its mass centre moved away from the elastic centre.
 
 use super::case::Case;
-use super::comparison::{FollowedMode, point};
+use super::comparison::{Answers, FollowedMode};
 use super::error::StabilityError;
 use super::section::{Coefficients, Parameters, Section};
 use super::tracking::Mode;
@@ -36,12 +36,12 @@ pub fn against_offset(
             let eccentricity = largest * step as f64 / steps.max(1) as f64;
             let parameters = Parameters {
                 mass_centre_distance: eccentricity * case.parameters.radius_of_gyration,
-                ..case.section(angle, coefficients)?.parameters().clone()
+                ..*case.section(angle, coefficients)?.parameters()
             };
-            let found = point(angle, &Section::new(parameters)?, &mut before)?;
+            let answers = Answers::new(&Section::new(parameters)?)?;
             Ok(OffsetPoint {
                 eccentricity,
-                modes: found.modes,
+                modes: answers.point(angle, &mut before).modes,
             })
         })
         .collect()

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::coordinate::FreeCoordinates;
+use super::forces::{Forces, SCALED_DAMPING};
 use super::section::{Coefficients, Parameters};
 
 /// The names of what a section always needs, in SI units and radians.
@@ -20,27 +21,43 @@ const STRUCTURE: [&str; 8] = [
 /// The structural damping ratios, which the closed forms leave out.
 const DAMPING: [&str; 3] = ["zeta_x", "zeta_y", "zeta_theta"];
 
-/// What is needed where there is wind; derivatives are per radian.
-const WIND: [&str; 11] = [
-    "rho", "D", "alpha_0", "L_a", "gamma_r", "C_D", "C_L", "C_M", "dC_D", "dC_L", "dC_M",
+/// What is needed where there is wind.
+const WIND: [&str; 2] = ["rho", "D"];
+
+/// What is needed for the forces of the wind, unless S_a is given; derivatives are per radian.
+const COEFFICIENTS: [&str; 9] = [
+    "alpha_0", "L_a", "gamma_r", "C_D", "C_L", "C_M", "dC_D", "dC_L", "dC_M",
 ];
 
 /// The names of all quantities of a section.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    let speed = ["U"];
-    STRUCTURE
+    let groups: [&[&str]; 4] = [&STRUCTURE, &DAMPING, &["U"], &WIND];
+    let scaled = SCALED_DAMPING.into_iter().flatten();
+    groups
         .into_iter()
-        .chain(DAMPING)
-        .chain(speed)
-        .chain(WIND)
+        .flatten()
+        .copied()
+        .chain(COEFFICIENTS)
+        .chain(scaled)
+}
+
+/// Whether an entry of the scaled damping matrix is among the values: it stands in place of coefficients.
+fn has_scaled_damping(values: &BTreeMap<String, f64>) -> bool {
+    let mut entries = SCALED_DAMPING.into_iter().flatten();
+    entries.any(|name| values.contains_key(name))
 }
 
 /// The names of what is needed for a section with these values: without wind, and without structural
-/// damping, less.
+/// damping, less; of the coefficients and the scaled damping matrix, only the one or the other.
 pub fn needed(values: &BTreeMap<String, f64>, with_damping: bool) -> Vec<&'static str> {
     let is_calm = values.get("U") == Some(&0.0);
-    let is_needed = |name: &&str| {
-        (with_damping || !DAMPING.contains(name)) && !(is_calm && WIND.contains(name))
+    let is_scaled = has_scaled_damping(values);
+    let is_needed = |name: &&str| match name {
+        name if DAMPING.contains(name) => with_damping,
+        name if WIND.contains(name) => !is_calm,
+        name if COEFFICIENTS.contains(name) => !is_calm && !is_scaled,
+        name if SCALED_DAMPING.as_flattened().contains(name) => !is_calm && is_scaled,
+        _ => true,
     };
     names().filter(is_needed).collect()
 }
@@ -74,13 +91,17 @@ pub fn parameters(values: &BTreeMap<String, f64>) -> Parameters {
         wind_speed: of("U"),
         wind_angle: of("alpha_0"),
         attitude: of("theta_0"),
-        coefficients: Coefficients {
-            drag: of("C_D"),
-            lift: of("C_L"),
-            moment: of("C_M"),
-            drag_slope: of("dC_D"),
-            lift_slope: of("dC_L"),
-            moment_slope: of("dC_M"),
+        forces: if has_scaled_damping(values) {
+            Forces::ScaledDamping(SCALED_DAMPING.map(|row| row.map(of)))
+        } else {
+            Forces::Coefficients(Coefficients {
+                drag: of("C_D"),
+                lift: of("C_L"),
+                moment: of("C_M"),
+                drag_slope: of("dC_D"),
+                lift_slope: of("dC_L"),
+                moment_slope: of("dC_M"),
+            })
         },
         free: FreeCoordinates::all(),
     }

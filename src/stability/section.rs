@@ -2,12 +2,13 @@
 
 use super::coordinate::{Coordinate, FreeCoordinates};
 use super::error::StabilityError;
+use super::forces::Forces;
 
 /// The parameters of a section in the wind, in SI units and radians; nothing is checked yet.
 ///
 /// Frequencies and damping ratios stand in the order x, y, θ. Those of a coordinate that is held
 /// are not used.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
     /// m: mass per unit length, in kg/m.
     pub mass: f64,
@@ -35,8 +36,8 @@ pub struct Parameters {
     pub wind_angle: f64,
     /// θ_0: turn of the section at rest, in rad.
     pub attitude: f64,
-    /// The coefficients of the forces at the angle of attack α_0 + θ_0.
-    pub coefficients: Coefficients,
+    /// The forces at the angle of attack α_0 + θ_0.
+    pub forces: Forces,
     /// The coordinates that are free.
     pub free: FreeCoordinates,
 }
@@ -78,7 +79,7 @@ pub struct Coefficients {
 ///     wind_speed: 9.0,
 ///     wind_angle: 0.0,
 ///     attitude: 0.7,
-///     coefficients: Coefficients { drag: 1.2, lift_slope: -3.0, ..Coefficients::default() },
+///     forces: Coefficients { drag: 1.2, lift_slope: -3.0, ..Coefficients::default() }.into(),
 ///     free: FreeCoordinates::all(),
 /// };
 /// assert!(Section::new(parameters.clone()).is_ok());
@@ -87,7 +88,7 @@ pub struct Coefficients {
 /// let error = Section::new(impossible).unwrap_err();
 /// assert!(error.to_string().starts_with("L_g = 0.02 must be below r = 0.014"));
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Section(Parameters);
 
 /// The names of what stands in the order x, y, θ.
@@ -102,7 +103,6 @@ impl Section {
     /// For the first parameter that is out of its range: which, its value, what it must be.
     pub fn new(parameters: Parameters) -> Result<Self, StabilityError> {
         let p = &parameters;
-        let c = &p.coefficients;
         for (name, value) in [
             ("m", p.mass),
             ("r", p.radius_of_gyration),
@@ -123,13 +123,10 @@ impl Section {
             ("gamma_r", p.aerodynamic_centre_angle),
             ("alpha_0", p.wind_angle),
             ("theta_0", p.attitude),
-            ("C_D", c.drag),
-            ("C_L", c.lift),
-            ("C_M", c.moment),
-            ("dC_D", c.drag_slope),
-            ("dC_L", c.lift_slope),
-            ("dC_M", c.moment_slope),
         ] {
+            require(name, value, true, "a number")?;
+        }
+        for (name, value) in p.forces.entries() {
             require(name, value, true, "a number")?;
         }
         for index in p.free.as_slice().iter().map(|free| free.index()) {
@@ -138,9 +135,10 @@ impl Section {
             require(DAMPING_RATIOS[index], ratio, ratio >= 0.0, "0 or above")?;
         }
         let r = p.radius_of_gyration;
-        let inside = p.mass_centre_distance < r;
-        let below = format!("below r = {r}, or the moment of inertia about G is not positive");
-        require("L_g", p.mass_centre_distance, inside, &below)?;
+        if p.mass_centre_distance >= r {
+            let below = format!("below r = {r}, or the moment of inertia about G is not positive");
+            require("L_g", p.mass_centre_distance, false, &below)?;
+        }
         Ok(Section(parameters))
     }
 

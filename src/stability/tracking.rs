@@ -2,7 +2,9 @@
 
 use num_complex::Complex;
 
+use super::coordinate::Coordinate;
 use super::model::Model;
+use super::section::Section;
 use super::shape::mode_shape;
 
 /// An eigenvalue and the shape of its motion.
@@ -15,11 +17,23 @@ pub struct Mode {
 }
 
 impl Mode {
-    /// The mode of an eigenvalue, the `place`-th of those that coincide with it, from 0. `None` if the
-    /// decomposition behind it does not converge.
-    pub fn new(model: &Model, value: Complex<f64>, place: usize) -> Option<Self> {
+    /// The mode of an eigenvalue that stands alone, or is the `place`-th of those that coincide, from 0.
+    /// `None` if the decomposition behind it does not converge.
+    pub fn new(model: &Model, value: Complex<f64>, place: Option<usize>) -> Option<Self> {
         let shape = mode_shape(model, value, place)?;
         Some(Mode { value, shape })
+    }
+
+    /// Its frequency in Hz; 0 for a motion that does not oscillate.
+    pub fn frequency(&self) -> f64 {
+        self.value.im / std::f64::consts::TAU
+    }
+
+    /// The coordinate with the largest part of the motion, rθ counting as a length.
+    pub fn mostly(&self, section: &Section) -> Coordinate {
+        let parts = section.free().iter().zip(&self.shape);
+        let largest = parts.max_by(|one, other| one.1.norm_sqr().total_cmp(&other.1.norm_sqr()));
+        largest.map_or(section.free()[0], |(coordinate, _)| *coordinate)
     }
 }
 
@@ -53,18 +67,16 @@ pub fn follow(model: &Model, before: &[Mode], next: &[Mode]) -> Option<Vec<usize
     if before.len() != next.len() || before.len() > 6 {
         return None;
     }
+    let rates = |old: &Mode| -> Vec<(f64, f64)> {
+        let rate = |new| (overlap(model, old, new), (old.value - new.value).norm());
+        next.iter().map(rate).collect()
+    };
+    let rates: Vec<_> = before.iter().map(rates).collect();
     let rate = |assignment: &[usize]| {
-        let pairs = || {
-            before
-                .iter()
-                .zip(assignment)
-                .map(|(old, &new)| (old, &next[new]))
-        };
-        let alike: f64 = pairs().map(|(old, new)| overlap(model, old, new)).sum();
-        let change: f64 = pairs()
-            .map(|(old, new)| (old.value - new.value).norm())
-            .sum();
-        (alike, change)
+        let pairs = rates.iter().zip(assignment);
+        pairs.fold((0.0, 0.0), |(alike, change), (row, &new)| {
+            (alike + row[new].0, change + row[new].1)
+        })
     };
     assignments(before.len())
         .into_iter()

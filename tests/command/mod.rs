@@ -3,7 +3,10 @@
 mod generation;
 #[cfg(feature = "stability")]
 mod report;
+#[cfg(feature = "stability")]
 mod stability;
+#[cfg(feature = "stability")]
+mod sweep;
 
 use std::path::PathBuf;
 use std::process::{Command, Output};

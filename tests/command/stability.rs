@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::sextic;
 
 /// A folder of this test's own with the cases that come with the project.
-fn folder(name: &str) -> PathBuf {
+pub fn folder(name: &str) -> PathBuf {
     let from = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("derivations/cases");
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = std::fs::remove_dir_all(&folder);
@@ -18,7 +18,7 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
+pub fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
     let output = sextic(arguments);
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
     (
@@ -173,7 +173,6 @@ fn what_modes_cannot_do_is_said() {
         (&SECTION[..], &["--method", "exact"][..], "not built yet"),
         (&SECTION[1..], &[], "the modes need m too"),
         (&SECTION[..], &["--set", "L_G=1"], "did you mean `L_g`?"),
-        (&SECTION[..], &["--set", "S_xx=1"], "not taken yet"),
         (&SECTION[..], &["--set", "m=1"], "set twice"),
     ] {
         let (status, out, err) = modes(section, more);
@@ -189,6 +188,57 @@ fn what_modes_cannot_do_is_said() {
     assert!(err.contains("perfect tuning"), "{err}");
     let (_, out, _) = modes(&SECTION, &["--set", "C_D=1"]);
     assert!(out.contains("C_D did not matter"), "{out}");
+}
+
+#[test]
+fn the_scaled_damping_matrix_stands_for_coefficients() {
+    let calm = SECTION.iter().filter(|own| **own != "U=0").copied();
+    let wind = ["U=9", "rho=1.25", "D=0.05"];
+    let section: Vec<&str> = calm.chain(wind).collect();
+    let coefficients = [
+        "alpha_0=0",
+        "L_a=0",
+        "gamma_r=0",
+        "C_D=1",
+        "C_L=1/2",
+        "C_M=0",
+        "dC_D=-1",
+        "dC_L=-3",
+        "dC_M=1",
+    ];
+    // Eq. (18) for wind along x and forces at O: 2 C_D, C_D' - C_L; 2 C_L, C_L' + C_D; and D/r times
+    // 2 C_M, C_M'.
+    let moment = format!("S_ty={}", 0.05 / 0.0178);
+    let matrix = [
+        "S_xx=2",
+        "S_xy=-3/2",
+        "S_yx=1",
+        "S_yy=-2",
+        "S_tx=0",
+        &moment,
+        "S_xt=0",
+        "S_yt=0",
+        "S_tt=0",
+    ];
+    for method in ["closed", "companion", "state"] {
+        let of = |forces: &[&str]| -> Value {
+            let section: Vec<&str> = section.iter().chain(forces).copied().collect();
+            let (status, out, err) = modes(&section, &["--method", method, "--format", "json"]);
+            assert_eq!((status, err.as_str()), (Some(0), ""));
+            serde_json::from_str(&out).expect("JSON")
+        };
+        let (one, other) = (of(&coefficients), of(&matrix));
+        let difference =
+            one["s3d"].as_f64().expect("a number") - other["s3d"].as_f64().expect("a number");
+        assert!(difference.abs() < 1e-9, "{one} {other}");
+        assert_eq!(other["warnings"], one["warnings"]);
+    }
+    let some: Vec<&str> = section.iter().chain(&matrix[..8]).copied().collect();
+    let (status, _, err) = modes(&some, &[]);
+    assert!(
+        status == Some(2) && err.contains("the modes need S_tt too"),
+        "{err}"
+    );
 }
 
 #[test]

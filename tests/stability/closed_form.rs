@@ -34,7 +34,7 @@ fn closed_forms_are_the_eigenvalues_to_first_order() {
             ..usual
         };
         let model = model(parameters);
-        let closed = closed_form(&model).expect("tuned and free");
+        let closed = closed_form(model.section()).expect("tuned and free");
         assert_eq!(closed.warnings, []);
         let exact = modes::eigenvalues(&model).expect("eigenvalues");
         let size = 1e-4
@@ -57,22 +57,27 @@ fn closed_forms_are_the_eigenvalues_to_first_order() {
 fn limitations_are_named() {
     let tuned = tuned(&mut Numbers::new(5));
     let free = FreeCoordinates::new(&[Coordinate::Y, Coordinate::Theta]).expect("two");
-    let held = Parameters {
-        free,
-        ..tuned.clone()
-    };
-    assert_eq!(closed_form(&model(held)), Err(Limitation::NotAllFree));
+    let held = Parameters { free, ..tuned };
+    assert_eq!(
+        closed_form(model(held).section()),
+        Err(Limitation::NotAllFree)
+    );
     let detuned = Parameters {
         natural_frequencies: [6.0, 6.0, 6.1],
-        ..tuned.clone()
+        ..tuned
     };
-    assert_eq!(closed_form(&model(detuned)), Err(Limitation::NotTuned));
+    assert_eq!(
+        closed_form(model(detuned).section()),
+        Err(Limitation::NotTuned)
+    );
     let damped = Parameters {
         damping_ratios: [0.0, 0.01, 0.0],
         mass_centre_distance: 0.0,
         ..tuned
     };
-    let warnings = closed_form(&model(damped)).expect("it applies").warnings;
+    let warnings = closed_form(model(damped).section())
+        .expect("it applies")
+        .warnings;
     assert_eq!(warnings[0], Limitation::StructuralDamping);
     assert!(matches!(
         warnings[1],

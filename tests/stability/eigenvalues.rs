@@ -37,7 +37,7 @@ fn is_as_exact_as_it_says(
         let (mut worst_ratio, mut worst_error) = (0.0_f64, 0.0_f64);
         for _ in 0..points {
             let parameters = hard_section(kind, &mut numbers);
-            let section = Section::new(parameters.clone()).expect("a possible section");
+            let section = Section::new(parameters).expect("a possible section");
             let model = Model::new(&section).expect("a model");
             let spectrum = eigenvalues(&model)
                 .unwrap_or_else(|error| panic!("{kind}: {error} {parameters:?}"));

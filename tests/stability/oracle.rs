@@ -4,6 +4,7 @@
 use dashu_base::{Abs, BitTest, EstimatedLog2};
 use dashu_int::IBig;
 use dashu_ratio::RBig;
+use sextic::stability::forces::Forces;
 use sextic::stability::section::Parameters;
 
 /// Binary digits behind the point.
@@ -77,7 +78,9 @@ pub fn characteristic_polynomial(p: &Parameters) -> Coefficients {
     let (s_a, c_a) = (&s * &c_b + &c * &s_b, &c * &c_b - &s * &s_b);
     let epsilon = exact(p.aerodynamic_centre_distance) / &r;
     let kappa = &d / &r;
-    let f = &p.coefficients;
+    let Forces::Coefficients(f) = &p.forces else {
+        panic!("the oracle takes coefficients");
+    };
     let [cd, cl, cm, dd, dl, dm] = [
         f.drag,
         f.lift,

@@ -1,6 +1,7 @@
 //! Sections at random, from fixed seeds.
 
 use sextic::stability::coordinate::{Coordinate, FreeCoordinates};
+use sextic::stability::forces::Forces;
 use sextic::stability::section::{Coefficients, Parameters};
 
 /// A small generator of numbers that look random: the same on every machine.
@@ -47,14 +48,14 @@ pub fn section(numbers: &mut Numbers) -> Parameters {
         wind_speed: numbers.between(1.0, 40.0),
         wind_angle: numbers.between(-turn, turn),
         attitude: numbers.between(-turn, turn),
-        coefficients: Coefficients {
+        forces: Forces::Coefficients(Coefficients {
             drag: numbers.between(0.2, 2.0),
             lift: numbers.between(-1.5, 1.5),
             moment: numbers.between(-0.5, 0.5),
             drag_slope: numbers.between(-10.0, 10.0),
             lift_slope: numbers.between(-10.0, 10.0),
             moment_slope: numbers.between(-5.0, 5.0),
-        },
+        }),
         free: FreeCoordinates::all(),
     }
 }
@@ -78,7 +79,7 @@ pub fn hard_section(kind: &str, numbers: &mut Numbers) -> Parameters {
     let tuned = Parameters {
         natural_frequencies: [omega; 3],
         damping_ratios: [0.0; 3],
-        ..usual.clone()
+        ..usual
     };
     match kind {
         "usual" => usual,

@@ -22,7 +22,7 @@ fn modes_at(omega_theta: f64, eccentricity: f64) -> (Model, Vec<Mode>) {
     };
     let model = Model::new(&Section::new(parameters).expect("a section")).expect("a model");
     let spectrum = modes::eigenvalues(&model).expect("eigenvalues");
-    let of = |value| Mode::new(&model, value, 0).expect("a shape");
+    let of = |value| Mode::new(&model, value, None).expect("a shape");
     let modes = spectrum
         .one_of_each_pair()
         .map(|own| of(own.value))
@@ -62,4 +62,21 @@ fn modes_that_veer_keep_their_order_in_small_steps_and_their_shapes_in_one() {
     let (start, end) = followed(0.002, 1);
     assert!(end[0].value.im < end[1].value.im);
     assert!(overlap(&model, &start[0], &end[0]) > 0.9);
+}
+
+#[test]
+fn a_shape_is_the_same_by_the_adjugate_and_by_singular_values() {
+    let mut numbers = Numbers::new(8);
+    for _ in 0..200 {
+        let section = Section::new(section(&mut numbers)).expect("a section");
+        let model = Model::new(&section).expect("a model");
+        for own in modes::eigenvalues(&model)
+            .expect("values")
+            .one_of_each_pair()
+        {
+            let mode = |place| Mode::new(&model, own.value, place).expect("a shape");
+            let alike = overlap(&model, &mode(None), &mode(Some(0)));
+            assert!((alike - 1.0).abs() < 1e-9, "{alike} at {}", own.value);
+        }
+    }
 }

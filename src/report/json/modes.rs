@@ -33,7 +33,7 @@ pub fn modes(found: &ModesFound) -> String {
                 error,
             })
             .collect(),
-        s3d: found.damping_coefficient,
+        s3d: found.damping_coefficient.map(|(damping, _)| damping),
         warnings: &found.warnings,
     })
 }

@@ -3,28 +3,37 @@
 use std::f64::consts::TAU;
 
 use crate::report::modes::ModesFound;
+use crate::report::stability::{decimal, decimals};
+
+/// Decimals where no error is known.
+const USUAL_DECIMALS: usize = 9;
+
+/// Doubles have no more than these near 1.
+const MOST_DECIMALS: usize = 15;
 
 /// A line a mode: λ, its error, and the frequency in Hz; then S_3D and the warnings.
 pub fn modes(found: &ModesFound) -> String {
     let mut text = String::new();
     for (place, (value, error)) in found.eigenvalues.iter().enumerate() {
+        let decimals = error.map_or(USUAL_DECIMALS, |error| decimals(error, MOST_DECIMALS));
         let error = error.map_or(String::new(), |error| format!(", within {error:.0e}"));
         text += &format!(
             "λ_{} = {} {} {}i 1/s{error}; {:.6} Hz\n",
             place + 1,
-            value.re,
+            decimal(value.re, decimals),
             if value.im < 0.0 { '-' } else { '+' },
-            value.im.abs(),
+            decimal(value.im.abs(), decimals),
             value.im / TAU
         );
     }
-    if let Some(damping) = found.damping_coefficient {
-        let meaning = if damping < 0.0 {
-            "the section gallops"
-        } else {
-            "the section is stable"
+    if let Some((damping, error)) = found.damping_coefficient {
+        let meaning = match error {
+            Some(error) if damping.abs() <= error => "neither stable nor unstable for certain",
+            _ if damping < 0.0 => "the section gallops",
+            _ => "the section is stable",
         };
-        text += &format!("S_3D = {damping}: {meaning}\n");
+        let decimals = error.map_or(USUAL_DECIMALS, |error| decimals(error, MOST_DECIMALS));
+        text += &format!("S_3D = {}: {meaning}\n", decimal(damping, decimals));
     }
     for warning in &found.warnings {
         text += &format!("Warning: {warning}\n");

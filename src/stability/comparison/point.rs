@@ -1,7 +1,5 @@
 //! One angle, by every method.
 
-use num_complex::Complex;
-
 use crate::stability::closed_form::{Limitation, closed_form};
 use crate::stability::companion;
 use crate::stability::coordinate::Coordinate;
@@ -63,65 +61,85 @@ impl Point {
     }
 }
 
-/// A section at an angle; `before` are the modes at the angle before, with their numbers.
-pub(in crate::stability) fn point(
-    angle: f64,
-    section: &Section,
-    before: &mut Vec<(usize, Mode)>,
-) -> Result<Point, StabilityError> {
-    let model = Model::new(section)?;
-    let spectrum = modes::eigenvalues(&model)?;
-    let value = |spectrum: &Spectrum| {
-        let (value, error) = spectrum.damping_coefficient(section)?;
-        Some(Value { value, error })
-    };
-    // Without wind there is no S; that is refused before.
-    let exact = value(&spectrum).ok_or(StabilityError::OutOfRange)?;
-    let companion = companion::eigenvalues(&model).ok();
-    let (closed, limitations) = match closed_form(&model) {
-        Ok(closed) => {
-            let part = section.damping_coefficient(closed.largest_real_part());
-            (part, closed.warnings)
-        }
-        Err(limitation) => (None, vec![limitation]),
-    };
-    let omega_n = section.parameters().natural_frequencies[section.free()[0].index()];
-    let ratio = model.relative_aerodynamic_damping(omega_n) / section.eccentricity();
-    Ok(Point {
-        angle,
-        exact,
-        companion: companion.as_ref().and_then(value),
-        closed,
-        limitations,
-        second_order: ratio * ratio,
-        modes: followed(&model, &spectrum, before),
-    })
+/// What the methods say of a section, before its modes are told by those of another one.
+pub(in crate::stability) struct Answers {
+    model: Model,
+    exact: Value,
+    companion: Option<Value>,
+    closed: Option<f64>,
+    limitations: Vec<Limitation>,
+    second_order: f64,
+    modes: Vec<(Mode, Value)>,
 }
 
-/// The modes of a spectrum, each with the number of the one before that it continues.
-fn followed(
-    model: &Model,
-    spectrum: &Spectrum,
-    before: &mut Vec<(usize, Mode)>,
-) -> Vec<FollowedMode> {
-    let section = model.section();
-    let pairs: Vec<&Eigenvalue> = spectrum.one_of_each_pair().collect();
-    let mut next: Vec<(Mode, Value)> = Vec::new();
-    for (index, own) in pairs.iter().enumerate() {
-        let coincide =
-            |other: &&&Eigenvalue| (other.value - own.value).norm() <= other.error + own.error;
-        let place = pairs[..index].iter().filter(coincide).count();
-        let damping = (
-            section.damping_coefficient(own.value.re),
-            section.damping_coefficient(own.error),
-        );
-        if let (Some(mode), (Some(value), Some(error))) =
-            (Mode::new(model, own.value, place), damping)
-        {
-            let error = error.abs();
-            next.push((mode, Value { value, error }));
+impl Answers {
+    pub(in crate::stability) fn new(section: &Section) -> Result<Self, StabilityError> {
+        let model = Model::new(section)?;
+        let spectrum = modes::eigenvalues(&model)?;
+        let value = |spectrum: &Spectrum| {
+            let (value, error) = spectrum.damping_coefficient(section)?;
+            Some(Value { value, error })
+        };
+        // Without wind there is no S; that is refused before.
+        let exact = value(&spectrum).ok_or(StabilityError::OutOfRange)?;
+        let companion = companion::eigenvalues(&model).ok();
+        let (closed, limitations) = match closed_form(section) {
+            Ok(closed) => {
+                let part = section.damping_coefficient(closed.largest_real_part());
+                (part, closed.warnings)
+            }
+            Err(limitation) => (None, vec![limitation]),
+        };
+        let ratio = section.relative_aerodynamic_damping() / section.eccentricity();
+        Ok(Answers {
+            exact,
+            companion: companion.as_ref().and_then(value),
+            closed,
+            limitations,
+            second_order: ratio * ratio,
+            modes: modes_of(&model, &spectrum),
+            model,
+        })
+    }
+
+    /// The point at an angle; `before` are the modes at the angle before, with their numbers.
+    pub(in crate::stability) fn point(self, angle: f64, before: &mut Vec<(usize, Mode)>) -> Point {
+        Point {
+            angle,
+            modes: followed(&self.model, self.modes, before),
+            exact: self.exact,
+            companion: self.companion,
+            closed: self.closed,
+            limitations: self.limitations,
+            second_order: self.second_order,
         }
     }
+}
+
+/// The modes of a spectrum, each with S.
+fn modes_of(model: &Model, spectrum: &Spectrum) -> Vec<(Mode, Value)> {
+    let section = model.section();
+    let pairs: Vec<&Eigenvalue> = spectrum.one_of_each_pair().collect();
+    let mode = |(index, own): (usize, &&Eigenvalue)| {
+        let coincide =
+            |other: &&&Eigenvalue| (other.value - own.value).norm() <= other.error + own.error;
+        let is_alone = pairs.iter().filter(coincide).count() == 1;
+        let place = (!is_alone).then(|| pairs[..index].iter().filter(coincide).count());
+        let damping = Value {
+            value: section.damping_coefficient(own.value.re)?,
+            error: section.damping_coefficient(own.error)?.abs(),
+        };
+        Some((Mode::new(model, own.value, place)?, damping))
+    };
+    pairs.iter().enumerate().filter_map(mode).collect()
+}
+
+/// Modes, each with the number of the one before that it continues.
+fn followed(
+    model: &Model,
+    next: Vec<(Mode, Value)>,
+    before: &mut Vec<(usize, Mode)>,
+) -> Vec<FollowedMode> {
     let old: Vec<Mode> = before.iter().map(|(_, mode)| mode.clone()).collect();
     let new: Vec<Mode> = next.iter().map(|(mode, _)| mode.clone()).collect();
     let labels: Vec<usize> = match follow(model, &old, &new) {
@@ -141,18 +159,13 @@ fn followed(
         .map(|(&label, (mode, damping))| FollowedMode {
             label,
             damping: *damping,
-            frequency: mode.value.im / std::f64::consts::TAU,
-            mostly: mostly(section, &mode.shape),
+            frequency: mode.frequency(),
+            mostly: mode.mostly(model.section()),
         })
         .collect();
     modes.sort_by_key(|mode| mode.label);
-    *before = labels.into_iter().zip(new).collect();
+    let next = next.into_iter().map(|(mode, _)| mode);
+    *before = labels.into_iter().zip(next).collect();
     before.sort_by_key(|(label, _)| *label);
     modes
-}
-
-fn mostly(section: &Section, shape: &[Complex<f64>]) -> Coordinate {
-    let parts = section.free().iter().zip(shape);
-    let largest = parts.max_by(|one, other| one.1.norm().total_cmp(&other.1.norm()));
-    largest.map_or(section.free()[0], |(coordinate, _)| *coordinate)
 }

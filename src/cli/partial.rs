@@ -1,0 +1,148 @@
+//! A file that is written row by row, and can be gone on with after an interruption.
+
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, BufRead, BufReader, ErrorKind, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+/// Rows on their way to a file.
+///
+/// They stand in a file beside it, whose name holds what tells the computation: `sweep.csv.1f0a….part`.
+/// When all are there it gets the name of the other one. A pipe or device is written to directly.
+#[derive(Debug)]
+pub struct Partial {
+    file: File,
+    /// The file beside the target; `None` for what is no regular file.
+    path: Option<PathBuf>,
+    target: PathBuf,
+}
+
+/// No row has so many bytes.
+const LONGEST: u64 = 1 << 16;
+
+/// Rows that were there already.
+#[derive(Debug)]
+pub struct Found {
+    /// How many rows are whole, without the heading.
+    pub rows: u64,
+    /// The last one of them.
+    pub last: String,
+}
+
+impl Partial {
+    /// Rows for a file, with those that an earlier run left; `identity` tells its computation from others.
+    ///
+    /// A heading other than this means that what is there is of no use.
+    ///
+    /// # Errors
+    ///
+    /// If the folder cannot be written to, or another process is at it.
+    pub fn open(target: &Path, identity: &str, heading: &str) -> io::Result<(Self, Option<Found>)> {
+        let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
+        if fs::metadata(&target).is_ok_and(|known| !known.is_file()) {
+            let file = OpenOptions::new().write(true).open(&target)?;
+            let mut partial = Partial {
+                file,
+                path: None,
+                target,
+            };
+            partial.write(heading)?;
+            return Ok((partial, None));
+        }
+        let path = beside(&target, identity)?;
+        let options = OpenOptions::new()
+            .read(true)
+            .write(true)
+            .create(true)
+            .truncate(false)
+            .clone();
+        let file = options.open(&path)?;
+        match file.try_lock() {
+            Err(TryLockError::WouldBlock) => {
+                return Err(io::Error::other("another process is writing it"));
+            }
+            // Where files cannot be locked two runs may be in each other's way, which a lock would tell.
+            Err(TryLockError::Error(_)) | Ok(()) => {}
+        }
+        let mut partial = Partial {
+            file,
+            path: Some(path),
+            target,
+        };
+        let found = partial.whole_rows(heading)?;
+        if found.is_none() {
+            partial.begin(heading)?;
+        }
+        Ok((partial, found))
+    }
+
+    /// The rows that are whole, with what follows them cut off.
+    fn whole_rows(&mut self, heading: &str) -> io::Result<Option<Found>> {
+        let mut reader = BufReader::new(&self.file);
+        let (mut whole, mut rows) = (0, 0);
+        let (mut line, mut last) = (Vec::new(), Vec::new());
+        // What is longer than any row is no row.
+        let mut next = |line: &mut Vec<u8>| (&mut reader).take(LONGEST).read_until(b'\n', line);
+        while next(&mut line)? > 0 && line.ends_with(b"\n") {
+            if whole == 0 && line != heading.as_bytes() {
+                return Ok(None);
+            }
+            rows += u64::from(whole > 0);
+            whole += line.len() as u64;
+            std::mem::swap(&mut last, &mut line);
+            line.clear();
+        }
+        self.file.set_len(whole)?;
+        self.file.seek(SeekFrom::End(0))?;
+        let last = String::from_utf8_lossy(&last).into_owned();
+        Ok((rows > 0).then_some(Found { rows, last }))
+    }
+
+    /// Begins anew, with the heading.
+    pub fn begin(&mut self, heading: &str) -> io::Result<()> {
+        self.file.set_len(0)?;
+        self.file.rewind()?;
+        self.write(heading)
+    }
+
+    /// Adds whole rows.
+    pub fn write(&mut self, rows: &str) -> io::Result<()> {
+        self.file.write_all(rows.as_bytes())
+    }
+
+    /// The rows get the name of the target, as they are or as `convert` writes them to another file.
+    pub fn finish(self, convert: Option<Conversion>) -> io::Result<()> {
+        let Some(path) = self.path else {
+            return Ok(());
+        };
+        self.file.sync_all()?;
+        let Some(convert) = convert else {
+            return fs::rename(&path, &self.target);
+        };
+        let folder = folder(&self.target);
+        let staged = tempfile::Builder::new()
+            .prefix(".sextic-")
+            .tempfile_in(folder)?;
+        convert(&path, staged.as_file())?;
+        staged.as_file().sync_all()?;
+        staged.persist(&self.target).map_err(|error| error.error)?;
+        fs::remove_file(&path)
+    }
+}
+
+/// Writes the rows of a file in another format.
+pub type Conversion = fn(&Path, &File) -> io::Result<()>;
+
+fn folder(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}
+
+/// `sweep.csv.1f0a….part` for `sweep.csv`.
+fn beside(target: &Path, identity: &str) -> io::Result<PathBuf> {
+    let name = target.file_name().ok_or(ErrorKind::IsADirectory)?;
+    let mut name = name.to_os_string();
+    name.push(format!(".{identity}.part"));
+    Ok(target.with_file_name(name))
+}

@@ -1,0 +1,280 @@
+//! `sextic sweep`: a case at all combinations of values of its quantities.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
+use sha2::{Digest, Sha256};
+
+use crate::derivation::diagnostic::{SourceFile, nearest};
+use crate::report::csv::{grid_heading, grid_row};
+use crate::stability::grid::{Axis, Grid, Methods, Rows};
+use crate::stability::variable::Variable;
+
+use super::Outcome;
+use super::file::reason;
+use super::output::{complain, finish, stream, wrong};
+use super::partial::{Conversion, Found, Partial};
+use super::stability::{case_and_files, refuse};
+
+/// Computes a case at all combinations of values of its quantities
+///
+/// Each --vary adds a quantity and its evenly spaced values, the first one changing slowest; the angles are
+/// those of the case unless alpha_deg is varied. Every combination is a row of a table: S_3D by each method
+/// as `sextic stability` has it, bounds of the errors, and the mode with the least damping. Rows come in
+/// the same order however many cores compute them. An interrupted sweep goes on where it was when the same
+/// command is given again.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// A case file: `sextic stability --help` shows one
+    #[arg(value_name = "CASE")]
+    case: PathBuf,
+
+    /// A quantity, its first and last value and how many there are, or one value; may be given several times
+    #[arg(long, value_name = "NAME=FROM:TO:COUNT", value_parser = axis, allow_hyphen_values = true)]
+    vary: Vec<Axis>,
+
+    /// The methods that are asked
+    #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Method::State, Method::Companion, Method::Closed])]
+    method: Vec<Method>,
+
+    /// One row for all angles: that of the smallest S_3D, by the first of the methods that are asked
+    #[arg(long)]
+    worst: bool,
+
+    /// The file for the table, .csv or (in builds with Parquet) .parquet; standard output without it
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+/// A method of the sweep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Method {
+    /// The state matrix (16), in the column `s3d_exact`
+    State,
+    /// The companion matrix of the characteristic polynomial (19)
+    Companion,
+    /// The closed forms (21) to (23), where they apply
+    Closed,
+}
+
+const EXAMPLES: &str = "\
+Quantities, as in a case file or in SI units and radians:
+  alpha_deg, D, m, r, L_g, alpha_g_deg or alpha_g, L_a, gamma_r_deg or gamma_r, rho, U; f_x, f_y, f_theta
+  or omega_x, omega_y, omega_theta, and f or omega_n for all three; zeta_x, zeta_y, zeta_theta, and zeta
+  for all three; C_D, C_L, C_M, dC_D, dC_L, dC_M (per radian) in place of what the table says
+
+Examples:
+  sextic sweep case.toml --vary L_g=0:0.004:200 --vary U=2:40:200 --worst --out sweep.csv
+  sextic sweep case.toml --vary alpha_deg=30 --vary U=2:40:39
+  sextic sweep case.toml --vary zeta=0:0.02:41 --method state,closed --out sweep.csv
+
+Exit status:
+  0  all rows were computed
+  2  the input is wrong, or the file cannot be written; rows that were written are kept to go on with";
+
+/// So many points are computed between writes.
+const BLOCK: u64 = 16_384;
+
+/// The fewest rows between writes, so that all cores have some.
+const FEWEST_ROWS: u64 = 64;
+
+/// So many rows are computed by one core at a time.
+const CHUNK: usize = 8;
+
+/// Computes a sweep and writes its rows.
+pub fn run(arguments: &Arguments) -> Outcome {
+    let (case, table, files) = match case_and_files(&arguments.case) {
+        Ok(read) => read,
+        Err(outcome) => return outcome,
+    };
+    let methods = Methods {
+        exact: arguments.method.contains(&Method::State),
+        companion: arguments.method.contains(&Method::Companion),
+        closed: arguments.method.contains(&Method::Closed),
+    };
+    let rows = if arguments.worst {
+        Rows::WorstAngles
+    } else {
+        Rows::Points
+    };
+    let grid = match Grid::new(&case, &table, arguments.vary.clone(), rows, methods) {
+        Ok(grid) => grid,
+        Err(error) => return refuse(&error),
+    };
+    match &arguments.out {
+        None => to_output(&grid),
+        Some(path) => to_file(&grid, path, &identity(arguments, &files)),
+    }
+}
+
+fn to_output(grid: &Grid) -> Outcome {
+    let written = stream(&grid_heading(grid)).and_then(|is_read| match is_read {
+        true => compute(grid, 0, &mut stream),
+        false => Ok(()),
+    });
+    match written {
+        Ok(()) => Outcome::AsExpected,
+        Err(error) => wrong(
+            &format!("standard output cannot be written: {}", reason(&error)),
+            "name a file with --out",
+        ),
+    }
+}
+
+fn to_file(grid: &Grid, path: &Path, identity: &str) -> Outcome {
+    let unwritable = |error: &io::Error, help: &str| {
+        let what = format!("`{}` cannot be written: {}", path.display(), reason(error));
+        wrong(&what, help)
+    };
+    let conversion = match conversion(path) {
+        Ok(conversion) => conversion,
+        Err(outcome) => return outcome,
+    };
+    let heading = grid_heading(grid);
+    let begun = Partial::open(path, identity, &heading).and_then(|(mut partial, found)| {
+        let done = found
+            .filter(|found| is_of(found, grid))
+            .map_or(0, |found| found.rows);
+        if done == 0 {
+            partial.begin(&heading)?;
+        }
+        Ok((partial, done))
+    });
+    let (mut partial, done) = match begun {
+        Ok(begun) => begun,
+        Err(error) => {
+            return unwritable(
+                &error,
+                "name a file in a folder that is there and that you may write to",
+            );
+        }
+    };
+    if done > 0 {
+        complain(&format!("{done} rows are there already\n"));
+    }
+    let mut write = |rows: &str| partial.write(rows).map(|()| true);
+    let written = compute(grid, done, &mut write).and_then(|()| partial.finish(conversion));
+    match written {
+        Ok(()) => finish(
+            &format!("{}: {} rows\n", path.display(), grid.rows()),
+            Outcome::AsExpected,
+        ),
+        Err(error) => unwritable(
+            &error,
+            "give the same command again to go on with the rows that were written",
+        ),
+    }
+}
+
+/// Whether rows are of this grid, by the last of them.
+fn is_of(found: &Found, grid: &Grid) -> bool {
+    found.rows <= grid.rows() && grid_row(grid, &grid.row(found.rows - 1)) == found.last
+}
+
+/// Computes the rows from one on and writes them in order, until there is nobody who reads them.
+fn compute(
+    grid: &Grid,
+    from: u64,
+    write: &mut dyn FnMut(&str) -> io::Result<bool>,
+) -> io::Result<()> {
+    let progress = ProgressBar::new(grid.rows()).with_position(from);
+    let style = ProgressStyle::with_template(
+        "{bar:40} {percent} %  {human_pos} of {human_len} rows, {eta} left",
+    );
+    progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    progress.reset_eta();
+    let block = (BLOCK / grid.points_in_a_row()).max(FEWEST_ROWS);
+    let mut next = from;
+    while next < grid.rows() {
+        let end = (next + block).min(grid.rows());
+        let rows = (0..(end - next) as usize)
+            .into_par_iter()
+            .with_min_len(CHUNK);
+        let texts = rows.fold(String::new, |text, row| {
+            text + &grid_row(grid, &grid.row(next + row as u64))
+        });
+        for text in texts.collect::<Vec<String>>() {
+            if !write(&text)? {
+                return Ok(());
+            }
+        }
+        next = end;
+        progress.set_position(next);
+    }
+    progress.finish_and_clear();
+    Ok(())
+}
+
+/// What tells a sweep from others: this version, the case, its table, and what was asked.
+fn identity(arguments: &Arguments, files: &[SourceFile; 2]) -> String {
+    let axes = arguments.vary.iter();
+    let axes: Vec<_> = axes
+        .map(|axis| (axis.variable.name, axis.values()))
+        .collect();
+    let asked = format!("{axes:?} {:?} {}", arguments.method, arguments.worst);
+    let texts = [
+        env!("CARGO_PKG_VERSION"),
+        &files[0].text,
+        &files[1].text,
+        &asked,
+    ];
+    let mut hash = Sha256::new();
+    for text in texts {
+        hash.update(text.len().to_le_bytes());
+        hash.update(text);
+    }
+    let digits: String = hash
+        .finalize()
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect();
+    digits[..12].to_string()
+}
+
+/// How rows become a file with this name.
+fn conversion(path: &Path) -> Result<Option<Conversion>, Outcome> {
+    match path.extension().and_then(|extension| extension.to_str()) {
+        #[cfg(feature = "parquet")]
+        Some("parquet") => Ok(Some(super::parquet::from_csv)),
+        #[cfg(not(feature = "parquet"))]
+        Some("parquet") => Err(wrong(
+            "this build writes no Parquet",
+            "build it with `--features parquet`, or name a .csv file",
+        )),
+        _ => Ok(None),
+    }
+}
+
+/// `U=2:40:200`, or `U=9` for one value.
+fn axis(text: &str) -> Result<Axis, String> {
+    let form = "write NAME=FROM:TO:COUNT, such as U=2:40:200, or NAME=VALUE";
+    let (name, values) = text.split_once('=').ok_or(form)?;
+    let variable = Variable::named(name).ok_or_else(|| not_varied(name))?;
+    let number = |text: &str| -> Result<f64, String> {
+        let decimal = text.trim().parse::<f64>();
+        decimal.map_err(|_| format!("`{text}` is no decimal number: {form}"))
+    };
+    match *values.split(':').collect::<Vec<_>>().as_slice() {
+        [value] => Axis::new(variable, number(value)?, number(value)?, 1),
+        [from, to, count] => {
+            let count = count.trim().parse::<usize>();
+            let count = count.map_err(|_| format!("the count is a whole number: {form}"))?;
+            Axis::new(variable, number(from)?, number(to)?, count)
+        }
+        _ => Err(form.to_string()),
+    }
+}
+
+fn not_varied(name: &str) -> String {
+    if ["alpha_0", "theta_0"].contains(&name) {
+        return format!("{name} goes with the angle of attack: vary alpha_deg");
+    }
+    match nearest(name, Variable::ALL.iter().map(|own| own.name)) {
+        Some(near) => format!("there is no quantity `{name}`: did you mean `{near}`?"),
+        None => format!("there is no quantity `{name}`: `sextic sweep --help` names them"),
+    }
+}

@@ -1,0 +1,130 @@
+//! What the wind does to a section: the scaled aerodynamic damping matrix.
+
+use sextic_evaluators::aerodynamic_damping::{
+    AerodynamicDampingAngles, AerodynamicDampingInputs, AerodynamicDampingOutputs,
+    aerodynamic_damping, aerodynamic_damping_with_bound,
+};
+use sextic_evaluators::bounded::Bounded;
+
+use super::ball::Ball;
+use super::section::{Coefficients, Section};
+
+/// What is known of the forces of the wind.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Forces {
+    /// Force coefficients and their derivatives at the angle of attack.
+    Coefficients(Coefficients),
+    /// S_a, the scaled damping matrix of Eq. (18), for the coordinates x, y and rθ: the angles of the
+    /// wind and of the aerodynamic centre do not matter then.
+    ScaledDamping([[f64; 3]; 3]),
+}
+
+/// The names of the entries of S_a by rows.
+pub(super) const SCALED_DAMPING: [[&str; 3]; 3] = [
+    ["S_xx", "S_xy", "S_xt"],
+    ["S_yx", "S_yy", "S_yt"],
+    ["S_tx", "S_ty", "S_tt"],
+];
+
+/// The names of coefficients.
+const COEFFICIENTS: [[&str; 3]; 2] = [["C_D", "C_L", "C_M"], ["dC_D", "dC_L", "dC_M"]];
+
+impl Forces {
+    /// The numbers by their names.
+    pub(super) fn entries(&self) -> impl Iterator<Item = (&'static str, f64)> {
+        let (names, values) = match *self {
+            Forces::Coefficients(c) => {
+                let (forces, slopes) = (
+                    [c.drag, c.lift, c.moment],
+                    [c.drag_slope, c.lift_slope, c.moment_slope],
+                );
+                (COEFFICIENTS.as_flattened(), [forces, slopes, [0.0; 3]])
+            }
+            Forces::ScaledDamping(matrix) => (SCALED_DAMPING.as_flattened(), matrix),
+        };
+        names.iter().copied().zip(values.into_iter().flatten())
+    }
+}
+
+impl Default for Forces {
+    /// None.
+    fn default() -> Self {
+        Forces::Coefficients(Coefficients::default())
+    }
+}
+
+impl From<Coefficients> for Forces {
+    fn from(coefficients: Coefficients) -> Self {
+        Forces::Coefficients(coefficients)
+    }
+}
+
+impl Section {
+    /// S_a of Eq. (18), dimensionless, for the coordinates x, y and rθ: as given, or by the generated
+    /// evaluator from the coefficients.
+    pub fn scaled_damping(&self) -> [[f64; 3]; 3] {
+        match self.parameters().forces {
+            Forces::ScaledDamping(matrix) => matrix,
+            Forces::Coefficients(c) => rows(aerodynamic_damping(&inputs(self, c))),
+        }
+    }
+
+    /// S_a with bounds of its rounding.
+    pub(super) fn scaled_damping_with_bound(&self) -> [[Ball; 3]; 3] {
+        match self.parameters().forces {
+            Forces::ScaledDamping(matrix) => matrix.map(|row| row.map(|own| Ball::real(own, 0.0))),
+            Forces::Coefficients(c) => {
+                rows(aerodynamic_damping_with_bound(&inputs(self, c))).map(|row| row.map(derived))
+            }
+        }
+    }
+
+    /// δ|S_a| with δ = ρ D U/(2 m ω), ω that of the first free coordinate, and the Frobenius norm of S_a:
+    /// how much of itself a motion loses or gains in a radian.
+    pub fn relative_aerodynamic_damping(&self) -> f64 {
+        let p = self.parameters();
+        let omega = p.natural_frequencies[self.free()[0].index()];
+        let delta = p.air_density * p.reference_dimension * p.wind_speed / (2.0 * p.mass * omega);
+        let squares = self
+            .scaled_damping()
+            .into_iter()
+            .flatten()
+            .map(|own| own * own);
+        delta * squares.sum::<f64>().sqrt()
+    }
+}
+
+fn inputs(section: &Section, c: Coefficients) -> AerodynamicDampingInputs<f64> {
+    let p = section.parameters();
+    AerodynamicDampingInputs::from(&AerodynamicDampingAngles {
+        r: p.radius_of_gyration,
+        alpha_0: p.wind_angle,
+        gamma_r: p.aerodynamic_centre_angle,
+        theta_0: p.attitude,
+        D: p.reference_dimension,
+        L_a: p.aerodynamic_centre_distance,
+        C_D: c.drag,
+        C_L: c.lift,
+        dC_D: c.drag_slope,
+        dC_L: c.lift_slope,
+        C_M: c.moment,
+        dC_M: c.moment_slope,
+    })
+}
+
+fn rows<T>(s: AerodynamicDampingOutputs<T>) -> [[T; 3]; 3] {
+    [
+        [s.S_xx, s.S_xy, s.S_xt],
+        [s.S_yx, s.S_yy, s.S_yt],
+        [s.S_tx, s.S_ty, s.S_tt],
+    ]
+}
+
+/// What a generated evaluator gives, with a bound that counts the rounding of sines and cosines:
+/// each of them enters at most four times, and not more heavily than the first product with it.
+pub(super) fn derived(value: Bounded) -> Ball {
+    Ball::real(
+        value.value,
+        8.0 * value.error + 4.0 * f64::EPSILON * value.value.abs(),
+    )
+}

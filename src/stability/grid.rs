@@ -1,0 +1,347 @@
+//! A case at all combinations of values of some of its quantities.
+
+use super::case::Case;
+use super::closed_form::{Limitation, closed_form};
+use super::coefficient_table::CoefficientTable;
+use super::companion;
+use super::comparison::Value;
+use super::coordinate::Coordinate;
+use super::error::StabilityError;
+use super::input::{InputError, Place};
+use super::interpolation::CoefficientCurves;
+use super::model::Model;
+use super::modes;
+use super::section::{Parameters, Section};
+use super::tracking::Mode;
+use super::variable::Variable;
+
+/// A quantity and its values, in order.
+#[derive(Clone, Debug)]
+pub struct Axis {
+    /// The quantity.
+    pub variable: Variable,
+    values: Vec<f64>,
+}
+
+/// The most values of an axis.
+pub const MOST_VALUES: usize = 1_000_000;
+
+/// The most points of a grid.
+pub const MOST_POINTS: u64 = 1_000_000_000;
+
+impl Axis {
+    /// `count` values from the first to the last, evenly spaced and rounded to twelve digits, so that what
+    /// is written down is what was computed with.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong, in words: a value that is not finite, no values or too many, one value from two ends.
+    ///
+    /// ```
+    /// use sextic::stability::grid::Axis;
+    /// use sextic::stability::variable::Variable;
+    ///
+    /// let speed = Variable::named("U").expect("a variable");
+    /// assert_eq!(Axis::new(speed, 0.0, 0.3, 4)?.values(), [0.0, 0.1, 0.2, 0.3]);
+    /// # Ok::<(), String>(())
+    /// ```
+    pub fn new(variable: Variable, from: f64, to: f64, count: usize) -> Result<Self, String> {
+        let name = variable.name;
+        if !from.is_finite() || !to.is_finite() {
+            return Err(format!("{name} from {from} to {to} is not finite"));
+        }
+        if count == 0 || count > MOST_VALUES {
+            return Err(format!(
+                "{name} has {count} values; 1 to {MOST_VALUES} are possible"
+            ));
+        }
+        if count == 1 && from != to {
+            return Err(format!(
+                "{name} has one value but two ends, {from} and {to}"
+            ));
+        }
+        let value = |place: usize| {
+            let share = place as f64 / (count - 1).max(1) as f64;
+            rounded(from * (1.0 - share) + to * share)
+        };
+        let values = (0..count).map(value).collect();
+        Ok(Axis { variable, values })
+    }
+
+    /// The values, at least one.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+}
+
+/// A number with twelve digits.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.11e}").parse().unwrap_or(value)
+}
+
+/// The methods that are asked at each point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Methods {
+    /// The state matrix, Eq. (16).
+    pub exact: bool,
+    /// The companion matrix of the characteristic polynomial, Eq. (19).
+    pub companion: bool,
+    /// The closed forms, Eqs. (21)–(23).
+    pub closed: bool,
+}
+
+/// What a row of a grid stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rows {
+    /// A combination of values with an angle.
+    Points,
+    /// A combination of values: the angle with the smallest S.
+    WorstAngles,
+}
+
+/// What the methods say at a point of a grid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GridPoint {
+    /// The values of the axes, in order; that of the angle, in degrees, last.
+    pub values: Vec<f64>,
+    /// S by the state matrix; `None` without wind or if there is no bounded answer.
+    pub exact: Option<Value>,
+    /// S by the companion matrix.
+    pub companion: Option<Value>,
+    /// S by the closed forms, where they apply.
+    pub closed: Option<f64>,
+    /// What speaks against the closed forms.
+    pub limitations: Vec<Limitation>,
+    /// The frequency in Hz of the mode with the least damping, and the coordinate that moves most in it.
+    pub critical: Option<(f64, Coordinate)>,
+}
+
+/// A case at all combinations of the values of its axes, computed point by point: nothing of it is kept.
+#[derive(Clone, Debug)]
+pub struct Grid<'a> {
+    case: &'a Case,
+    curves: CoefficientCurves,
+    axes: Vec<Axis>,
+    rows: Rows,
+    methods: Methods,
+}
+
+impl<'a> Grid<'a> {
+    /// A grid of a case.
+    ///
+    /// The first axis changes slowest. The angle of attack is the last one whatever its place, with the
+    /// values of the case's sweep if it is not among the axes.
+    ///
+    /// # Errors
+    ///
+    /// If a quantity is named twice, if there are more than [`MOST_POINTS`] points, if an angle is outside
+    /// of the table, or if a section at a corner of the grid is not possible: then none within is in doubt.
+    pub fn new(
+        case: &'a Case,
+        table: &CoefficientTable,
+        mut axes: Vec<Axis>,
+        rows: Rows,
+        methods: Methods,
+    ) -> Result<Self, InputError> {
+        let wrong = |what: String, help: &str| InputError::new(Place::file(&case.file), what, help);
+        for (place, axis) in axes.iter().enumerate() {
+            let name = axis.variable.name;
+            if axes[..place]
+                .iter()
+                .any(|other| other.variable.name == name)
+            {
+                let what = format!("{name} is varied twice");
+                return Err(wrong(what, "name every quantity once"));
+            }
+        }
+        if !axes.iter().any(|axis| axis.variable.is_angle()) {
+            axes.push(Axis {
+                variable: Variable::ANGLE,
+                values: case.sweep.angles().into_iter().map(rounded).collect(),
+            });
+        }
+        axes.sort_by_key(|axis| axis.variable.is_angle());
+        let mut counts = axes.iter().map(|axis| axis.values.len() as u64);
+        let points = counts.try_fold(1_u64, |points, count| points.checked_mul(count));
+        if points.is_none_or(|points| points > MOST_POINTS) {
+            let what = format!("the grid has more than {MOST_POINTS} points");
+            return Err(wrong(what, "take fewer values, or sweep a part of it"));
+        }
+        let curves = CoefficientCurves::new(table, case.interpolation);
+        let grid = Grid {
+            case,
+            curves,
+            axes,
+            rows,
+            methods,
+        };
+        grid.check(table)?;
+        Ok(grid)
+    }
+
+    /// All angles are in the table, and all corners are possible sections.
+    fn check(&self, table: &CoefficientTable) -> Result<(), InputError> {
+        let (angles, others) = self.angles_and_others();
+        for &angle in angles {
+            self.curves.at(angle).map_err(|outside| {
+                let help = "vary alpha_deg within the table, or complete it";
+                InputError::new(Place::file(table.file()), outside.to_string(), help)
+            })?;
+        }
+        // Each limit is on one quantity, or on L_g against r: the corners keep it if all points do.
+        let corners = others
+            .iter()
+            .map(|axis| [axis.values[0], axis.values[axis.values.len() - 1]]);
+        let corners: Vec<[f64; 2]> = corners.collect();
+        for number in 0..1_u32 << corners.len() {
+            let ends = corners.iter().enumerate();
+            let mut values: Vec<f64> = ends
+                .map(|(place, ends)| ends[(number >> place & 1) as usize])
+                .collect();
+            let named = others.iter().zip(&values);
+            let named: Vec<String> = named
+                .map(|(axis, value)| format!("{} = {value}", axis.variable.name))
+                .collect();
+            values.push(angles[0]);
+            self.section(&values).map_err(|error| {
+                let what = format!("with {}: {error}", named.join(", "));
+                InputError::new(Place::file(&self.case.file), what, "correct --vary")
+            })?;
+        }
+        Ok(())
+    }
+
+    fn angles_and_others(&self) -> (&[f64], &[Axis]) {
+        match self.axes.split_last() {
+            Some((angles, others)) => (&angles.values, others),
+            None => (&[], &[]),
+        }
+    }
+
+    /// The quantities in the order of a point's values, the angle last.
+    pub fn variables(&self) -> impl Iterator<Item = Variable> {
+        self.axes.iter().map(|axis| axis.variable)
+    }
+
+    /// The methods that are asked.
+    pub fn methods(&self) -> Methods {
+        self.methods
+    }
+
+    /// How many rows there are.
+    pub fn rows(&self) -> u64 {
+        let (angles, others) = self.angles_and_others();
+        let combinations: u64 = others.iter().map(|axis| axis.values.len() as u64).product();
+        match self.rows {
+            Rows::Points => combinations * angles.len() as u64,
+            Rows::WorstAngles => combinations,
+        }
+    }
+
+    /// At how many points the methods are asked for a row.
+    pub fn points_in_a_row(&self) -> u64 {
+        match self.rows {
+            Rows::Points => 1,
+            Rows::WorstAngles => self.angles_and_others().0.len() as u64,
+        }
+    }
+
+    /// The row with a number from 0; beyond the last one they begin again.
+    pub fn row(&self, number: u64) -> GridPoint {
+        match self.rows {
+            Rows::Points => self.point(number),
+            Rows::WorstAngles => self.worst(number),
+        }
+    }
+
+    fn worst(&self, combination: u64) -> GridPoint {
+        let angles = self.angles_and_others().0.len() as u64;
+        let points = (0..angles).map(|angle| self.point(combination * angles + angle));
+        let size = |point: &GridPoint| {
+            let exact = point.exact.map(|exact| exact.value);
+            let value = exact
+                .or(point.closed)
+                .or(point.companion.map(|own| own.value));
+            value.unwrap_or(f64::INFINITY)
+        };
+        let worse = |one: GridPoint, other: GridPoint| {
+            if size(&other) < size(&one) {
+                other
+            } else {
+                one
+            }
+        };
+        points.reduce(worse).unwrap_or_else(|| self.point(0))
+    }
+
+    fn point(&self, number: u64) -> GridPoint {
+        let mut values = vec![0.0; self.axes.len()];
+        let mut rest = number;
+        for (value, axis) in values.iter_mut().zip(&self.axes).rev() {
+            let count = axis.values.len() as u64;
+            *value = axis.values[(rest % count) as usize];
+            rest /= count;
+        }
+        let section = self.section(&values);
+        let mut point = GridPoint {
+            values,
+            exact: None,
+            companion: None,
+            closed: None,
+            limitations: Vec::new(),
+            critical: None,
+        };
+        if let Ok(section) = section {
+            self.answer(&section, &mut point);
+        }
+        point
+    }
+
+    /// The section with these values, that of the angle last.
+    fn section(&self, values: &[f64]) -> Result<Section, StabilityError> {
+        let angle = values[values.len() - 1];
+        let coefficients = self.curves.at(angle).unwrap_or_default();
+        let mut parameters: Parameters = self.case.parameters_at(angle, coefficients);
+        for (axis, &value) in self.axes.iter().zip(values) {
+            axis.variable.set(&mut parameters, value);
+        }
+        Section::new(parameters)
+    }
+
+    fn answer(&self, section: &Section, point: &mut GridPoint) {
+        if self.methods.closed {
+            match closed_form(section) {
+                Ok(closed) => {
+                    point.closed = section.damping_coefficient(closed.largest_real_part());
+                    point.limitations = closed.warnings;
+                }
+                Err(limitation) => point.limitations = vec![limitation],
+            }
+        }
+        if !self.methods.exact && !self.methods.companion {
+            return;
+        }
+        let Ok(model) = Model::new(section) else {
+            return;
+        };
+        let value = |(value, error)| Value { value, error };
+        if self.methods.companion {
+            let spectrum = companion::eigenvalues(&model).ok();
+            point.companion = spectrum
+                .and_then(|own| own.damping_coefficient(section))
+                .map(value);
+        }
+        if !self.methods.exact {
+            return;
+        }
+        if let Ok(spectrum) = modes::eigenvalues(&model) {
+            point.exact = spectrum.damping_coefficient(section).map(value);
+            let pairs = spectrum.one_of_each_pair();
+            let critical = pairs.max_by(|one, other| one.value.re.total_cmp(&other.value.re));
+            point.critical = critical.and_then(|own| {
+                let mode = Mode::new(&model, own.value, None)?;
+                Some((mode.frequency(), mode.mostly(section)))
+            });
+        }
+    }
+}

@@ -1,0 +1,291 @@
+//! `sextic sweep` as a user runs it: order, interruptions, what is wrong.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use super::stability::{folder, run};
+
+fn text(path: &Path) -> String {
+    std::fs::read_to_string(path).expect("a file")
+}
+
+fn path(path: &Path) -> &str {
+    path.to_str().expect("a path")
+}
+
+/// The files in a folder that were not finished.
+fn parts(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).expect("a folder");
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    paths
+        .filter(|path| path.extension().is_some_and(|own| own == "part"))
+        .collect()
+}
+
+#[test]
+fn rows_are_those_of_stability_in_a_fixed_order() {
+    let folder = folder("sweep");
+    let case = folder.join("detuned.toml");
+    let (status, out, err) = run(&["sweep", path(&case), "--vary", "U=9"]);
+    assert_eq!((status, err.as_str()), (Some(0), ""));
+    let (_, curves, _) = run(&["stability", path(&case), "--format", "csv"]);
+    assert_eq!(out.lines().count(), curves.lines().count());
+    assert!(
+        out.starts_with("U,alpha_deg,s3d_exact,s3d_companion,s3d_closed,error_exact,"),
+        "{out}"
+    );
+    for (own, other) in out.lines().zip(curves.lines()).skip(1) {
+        let (own, other): (Vec<&str>, Vec<&str>) =
+            (own.split(',').collect(), other.split(',').collect());
+        assert_eq!(own[1..4], other[..3]);
+    }
+    let vary = [
+        "--vary",
+        "L_g=0:0.01:5",
+        "--vary",
+        "alpha_deg=0:90:11",
+        "--vary",
+        "U=2:40:20",
+    ];
+    let arguments = [&["sweep", path(&case)], vary.as_slice()].concat();
+    let one = Command::new(env!("CARGO_BIN_EXE_sextic"))
+        .args(&arguments)
+        .env("RAYON_NUM_THREADS", "1")
+        .output()
+        .expect("it runs");
+    let (_, all, _) = run(&arguments);
+    assert_eq!(String::from_utf8_lossy(&one.stdout), all);
+    let rows: Vec<&str> = all.lines().collect();
+    assert_eq!(rows.len(), 1 + 5 * 20 * 11);
+    assert!(
+        rows[1].starts_with("0,2,0,") && rows[12].starts_with("0,4,0,"),
+        "{}",
+        rows[12]
+    );
+    assert!(rows[1100].starts_with("0.01,40,90,"));
+
+    let worst = run(&[&arguments[..], &["--worst"]].concat()).1;
+    assert_eq!(worst.lines().count(), 1 + 5 * 20);
+    for (place, row) in worst.lines().skip(1).enumerate() {
+        assert!(rows[1 + 11 * place..][..11].contains(&row));
+        let value = |row: &str| {
+            row.split(',')
+                .nth(3)
+                .and_then(|cell| cell.parse::<f64>().ok())
+        };
+        let values = rows[1 + 11 * place..][..11]
+            .iter()
+            .filter_map(|row| value(row));
+        assert_eq!(value(row), values.reduce(f64::min));
+    }
+}
+
+#[test]
+fn methods_that_do_not_apply_and_no_wind_leave_empty_cells() {
+    let folder = folder("sweep_empty");
+    let detuned = folder.join("detuned.toml");
+    let of = |case: &Path, vary: &str, method: &str| {
+        let (status, out, err) = run(&[
+            "sweep",
+            path(case),
+            "--vary",
+            "alpha_deg=30",
+            "--vary",
+            vary,
+            "--method",
+            method,
+        ]);
+        assert_eq!(status, Some(0), "{err}");
+        out
+    };
+    assert_eq!(
+        of(&detuned, "f_x=1", "closed"),
+        "f_x,alpha_deg,s3d_closed,closed_limits\n1,30,,detuned\n"
+    );
+    let tuned = of(&detuned, "f=1:1.2:2", "closed");
+    assert!(
+        tuned
+            .lines()
+            .skip(1)
+            .all(|row| row.ends_with(",damped") && !row.contains(",,")),
+        "{tuned}"
+    );
+    let calm = of(&detuned, "U=0:1:2", "state");
+    let rows: Vec<&str> = calm.lines().collect();
+    assert!(
+        rows[1].starts_with("0,30,,,") && !rows[2].contains(",,"),
+        "{calm}"
+    );
+}
+
+#[test]
+fn an_interrupted_sweep_goes_on() {
+    let folder = folder("sweep_interrupted");
+    let (case, out) = (folder.join("tuned.toml"), folder.join("sweep.csv"));
+    let arguments = [
+        "sweep",
+        path(&case),
+        "--vary",
+        "L_g=0:0.01:1000",
+        "--vary",
+        "U=1:40:1000",
+        "--vary",
+        "alpha_deg=30",
+        "--method",
+        "closed",
+        "--out",
+        path(&out),
+    ];
+    let mut child = Command::new(env!("CARGO_BIN_EXE_sextic"))
+        .args(arguments)
+        .stdout(Stdio::null())
+        .spawn()
+        .expect("it starts");
+    let started = Instant::now();
+    let is_begun = |part: &PathBuf| part.metadata().is_ok_and(|known| known.len() > 300_000);
+    while !parts(&folder).iter().any(is_begun) && started.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    child.kill().expect("it is stopped");
+    child.wait().expect("it is gone");
+    let part = parts(&folder).pop().expect("it was not done yet");
+    let rows = text(&part);
+    let rows = rows.lines().take(5001).map(|row| format!("{row}\n"));
+    let whole: String = rows.collect();
+    assert!(!out.exists());
+
+    // Two at once would spoil each other's rows.
+    let locked = std::fs::File::open(&part).expect("a file");
+    locked.lock().expect("nobody else has it");
+    let (status, _, err) = run(&arguments);
+    assert_eq!(status, Some(2));
+    assert!(err.contains("another process is writing it"), "{err}");
+    drop(locked);
+
+    // A row that was not whole is written again, and the rest is not computed twice.
+    std::fs::write(&part, format!("{whole}0.0001,2")).expect("a torn row");
+    let (status, _, err) = run(&arguments);
+    assert_eq!(
+        (status, err.as_str()),
+        (Some(0), "5000 rows are there already\n")
+    );
+    assert_eq!(parts(&folder), Vec::<PathBuf>::new());
+    let all = text(&out);
+    assert_eq!(all.lines().count(), 1_000_001);
+    let arguments_to_output: Vec<&str> = arguments[..arguments.len() - 2].to_vec();
+    assert_eq!(run(&arguments_to_output).1, all);
+
+    // What is of another computation is not gone on with.
+    std::fs::write(&part, whole.replace(",30,", ",31,")).expect("wrong rows");
+    let (status, _, err) = run(&arguments);
+    assert_eq!((status, err.as_str()), (Some(0), ""));
+    assert!(text(&out) == all);
+}
+
+#[test]
+fn what_is_wrong_is_said_before_anything_is_computed() {
+    let folder = folder("sweep_wrong");
+    let case = folder.join("tuned.toml");
+    for (vary, message) in [
+        ("L_q=0:1:2", "did you mean `L_g`?"),
+        ("theta_0=0:1:2", "vary alpha_deg"),
+        ("U=2:40", "NAME=FROM:TO:COUNT"),
+        ("U=2:40:0", "U has 0 values"),
+        ("U=2:40:1", "one value but two ends"),
+        ("U=2:inf:3", "is not finite"),
+        ("U=2,5:40:3", "`2,5` is no decimal number"),
+        ("U=2:40:1000001", "1 to 1000000 are possible"),
+        (
+            "L_g=0:0.02:3",
+            "with L_g = 0.02: L_g = 0.02 must be below r",
+        ),
+        ("m=-1:1:3", "with m = -1: m = -1 must be above 0"),
+        ("alpha_deg=0:400:3", ""),
+    ] {
+        let out = folder.join("sweep.csv");
+        let (status, shown, err) =
+            run(&["sweep", path(&case), "--vary", vary, "--out", path(&out)]);
+        if message.is_empty() {
+            assert_eq!(status, Some(0), "the table goes round the circle: {err}");
+            continue;
+        }
+        assert_eq!((status, shown.as_str()), (Some(2), ""), "{vary}");
+        assert!(err.contains(message), "{vary}: {err}");
+        assert!(!out.exists() && parts(&folder).is_empty());
+    }
+    let twice = ["--vary", "U=1:2:2", "--vary", "U=3"];
+    let (status, _, err) = run(&[&["sweep", path(&case)], twice.as_slice()].concat());
+    assert!(
+        status == Some(2) && err.contains("U is varied twice"),
+        "{err}"
+    );
+    let many = ["--vary", "U=1:2:100000", "--vary", "m=1:2:100000"];
+    let (status, _, err) = run(&[&["sweep", path(&case)], many.as_slice()].concat());
+    assert!(
+        status == Some(2) && err.contains("more than 1000000000 points"),
+        "{err}"
+    );
+    let nowhere = folder.join("nowhere/sweep.csv");
+    let (status, _, err) = run(&[
+        "sweep",
+        path(&case),
+        "--vary",
+        "U=1",
+        "--out",
+        path(&nowhere),
+    ]);
+    assert!(
+        status == Some(2) && err.contains("there is no such file or folder"),
+        "{err}"
+    );
+}
+
+#[cfg(feature = "parquet")]
+#[test]
+fn parquet_holds_the_rows_of_the_csv() {
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    use parquet::record::Field;
+
+    let folder = folder("sweep_parquet");
+    let case = folder.join("detuned.toml");
+    let files = [folder.join("sweep.csv"), folder.join("sweep.parquet")];
+    for file in &files {
+        let (status, _, err) = run(&[
+            "sweep",
+            path(&case),
+            "--vary",
+            "U=0:9:4",
+            "--out",
+            path(file),
+        ]);
+        assert_eq!((status, err.as_str()), (Some(0), ""));
+    }
+    assert_eq!(parts(&folder), Vec::<PathBuf>::new());
+    let file = std::fs::File::open(&files[1]).expect("a file");
+    let reader = SerializedFileReader::new(file).expect("Parquet");
+    let rows = text(&files[0]);
+    let heading: Vec<&str> = rows.lines().next().expect("a heading").split(',').collect();
+    let mut count = 0;
+    for (row, line) in reader
+        .get_row_iter(None)
+        .expect("rows")
+        .zip(rows.lines().skip(1))
+    {
+        let row = row.expect("a row");
+        for ((name, field), (own, cell)) in row
+            .get_column_iter()
+            .zip(heading.iter().zip(line.split(',')))
+        {
+            assert_eq!(name, own);
+            match field {
+                Field::Null => assert_eq!(cell, ""),
+                Field::Double(value) => assert_eq!(Ok(*value), cell.parse()),
+                Field::Str(word) => assert_eq!(word, cell),
+                other => panic!("{other:?}"),
+            }
+        }
+        count += 1;
+    }
+    assert_eq!(count, rows.lines().count() - 1);
+}
