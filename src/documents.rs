@@ -4,10 +4,16 @@ use crate::derivation::audit::Library;
 use crate::derivation::diagnostic::SourceFile;
 
 /// Paths and texts, in the order in which they are audited.
-const SHIPPED: &[(&str, &str)] = &[(
-    "derivations/he-macdonald-2017.md",
-    include_str!("../derivations/he-macdonald-2017.md"),
-)];
+const SHIPPED: &[(&str, &str)] = &[
+    (
+        "derivations/he-macdonald-2017.md",
+        include_str!("../derivations/he-macdonald-2017.md"),
+    ),
+    (
+        "derivations/uniform.md",
+        include_str!("../derivations/uniform.md"),
+    ),
+];
 
 /// The documents that come with the command, in the order in which they are audited.
 pub fn shipped() -> impl Iterator<Item = SourceFile> {

@@ -8,7 +8,7 @@ use sextic_codegen::language::literal::Decimal;
 use sextic_codegen::rounding;
 
 use crate::compile::fixed::Fixed;
-use crate::compile::generation::{Failure, specifications};
+use crate::compile::generation::{Failure, document_of, specifications};
 use crate::compile::specification::Specification;
 use crate::derivation::audit::Audit;
 use crate::derivation::scope::{Meaning, SymbolKind};
@@ -100,24 +100,21 @@ pub fn run(arguments: &Arguments) -> Outcome {
 
 /// The evaluators of these names; all of them if there are none.
 fn list(audits: &mut [Audit], names: &[String], format: Results) -> Outcome {
-    let mut all = Vec::new();
-    for audit in audits {
-        match specifications(audit, names, &[]) {
-            Ok(found) => all.extend(found),
-            Err(Failure::NoEvaluator) => {}
-            Err(failure) => return failed(&failure, audit),
+    match specifications(audits, names, &[]) {
+        Ok(all) => {
+            let written = match format {
+                Results::Text => text::evaluators(&all, width(None)),
+                Results::Json => json::evaluators(&all),
+            };
+            finish(&written, Outcome::AsExpected)
         }
+        Err(failure) => failed(&failure, audits),
     }
-    let written = match format {
-        Results::Text => text::evaluators(&all, width(None)),
-        Results::Json => json::evaluators(&all),
-    };
-    finish(&written, Outcome::AsExpected)
 }
 
-fn failed(failure: &Failure, audit: &Audit) -> Outcome {
+fn failed(failure: &Failure, audits: &[Audit]) -> Outcome {
     match failure {
-        Failure::Refused(evaluator, refusal) => refused(evaluator, refusal, audit),
+        Failure::Refused(evaluator, path, refusal) => refused(evaluator, path, refusal, audits),
         _ => wrong(
             "nothing can be evaluated",
             "`sextic audit` shows the document",
@@ -127,17 +124,19 @@ fn failed(failure: &Failure, audit: &Audit) -> Outcome {
 
 /// An evaluator at a point.
 fn evaluate(name: &str, set: &[Fixed], audit: &mut Audit) -> Result<Evaluation, Outcome> {
-    let specification = specifications(audit, &[name.to_string()], &[]);
+    let audits = std::slice::from_mut(audit);
+    let specification = specifications(audits, &[name.to_string()], &[]);
     let specification = match specification.map(|mut found| found.pop()) {
         Ok(Some(specification)) => specification,
-        Ok(None) => return Err(failed(&Failure::NoEvaluator, audit)),
-        Err(failure) => return Err(failed(&failure, audit)),
+        Ok(None) => return Err(failed(&Failure::NoEvaluator, audits)),
+        Err(failure) => return Err(failed(&failure, audits)),
     };
+    let audit = document_of(&specification, audits);
     let values = values(set, &specification, audit)?;
     let numbers: Vec<&Fixed> = set.iter().collect();
     specification
         .admit(&numbers, audit)
-        .map_err(|refusal| refused(name, &refusal, audit))?;
+        .map_err(|refusal| refused(name, &audit.path, &refusal, std::slice::from_ref(audit)))?;
     let evaluator = &specification.evaluator;
     let inputs: Option<Vec<f64>> = evaluator
         .inputs

@@ -7,7 +7,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use sextic_codegen::language::{File, Language};
 
 use crate::compile::fixed::{Fixed, Unfixed};
-use crate::compile::generation::{Failure, Generated, Order, POINTS, generate};
+use crate::compile::generation::{Failure, Generated, Order, POINTS, document_of, generate};
 use crate::compile::proof::prove_files;
 use crate::compile::specification::Refusal;
 use crate::derivation::audit::Audit;
@@ -29,7 +29,7 @@ use super::source::audit_all;
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// A Markdown document; without one, that which comes with the command
+    /// A Markdown document; without one, those that come with the command
     #[arg(value_name = "DOC")]
     document: Option<String>,
 
@@ -65,7 +65,7 @@ pub struct Arguments {
 
 const EXAMPLES: &str = "\
 Examples:
-  sextic generate --out here --language rust                      all that the paper's document compiles
+  sextic generate --out here --language rust                      all that the documents of the command compile
   sextic generate --out here --language c --only closed_form --fix m=3.5 --fix r=0.0178
   sextic generate --out here --language rust --check              are these files proven, and up to date?
   sextic generate plate.md --out here --language python           a document of your own";
@@ -103,12 +103,12 @@ pub(super) fn differs(audit: &Audit) -> Outcome {
 
 /// Generates, and writes or checks.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let (audits, outcome) = audit_all(arguments.document.as_slice());
-    let Some(mut audit) = audits.into_iter().next() else {
+    let (mut audits, outcome) = audit_all(arguments.document.as_slice());
+    if audits.is_empty() {
         return outcome;
-    };
-    if !audit.as_expected() {
-        return differs(&audit);
+    }
+    if let Some(audit) = audits.iter().find(|audit| !audit.as_expected()) {
+        return differs(audit);
     }
     for (place, fixed) in arguments.fix.iter().enumerate() {
         if arguments.fix[..place]
@@ -129,13 +129,13 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let style = ProgressStyle::with_template("{spinner} {msg} ({elapsed})");
     progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
     progress.enable_steady_tick(std::time::Duration::from_millis(100));
-    let generated = generate(&mut audit, &order, &mut |step| {
+    let generated = generate(&mut audits, &order, &mut |step| {
         progress.set_message(step.to_string());
     });
     progress.finish_and_clear();
     match generated {
-        Err(failure) => refuse(&failure, &audit, arguments),
-        Ok(generated) if arguments.check => check(&generated, &mut audit, arguments),
+        Err(failure) => refuse(&failure, &audits, arguments),
+        Ok(generated) if arguments.check => check(&generated, &mut audits, arguments),
         Ok(generated) => write(&generated, arguments),
     }
 }
@@ -189,7 +189,7 @@ fn summary(written: &Written, out: &Path) -> String {
 /// Proves the files as they stand on the disk, and compares them with what would be written.
 ///
 /// What the evaluators share is not derived, and not proven: it has to be what would be written.
-fn check(generated: &Generated, audit: &mut Audit, arguments: &Arguments) -> Outcome {
+fn check(generated: &Generated, audits: &mut [Audit], arguments: &Arguments) -> Outcome {
     let (mut found, mut lines): (Vec<File>, Vec<String>) = (Vec::new(), Vec::new());
     let mut changed_support: Vec<&str> = Vec::new();
     for file in &generated.files {
@@ -223,8 +223,9 @@ fn check(generated: &Generated, audit: &mut Audit, arguments: &Arguments) -> Out
     let mut are_proven = true;
     for specification in &generated.specifications {
         let name = &specification.evaluator.name;
-        audit.elaborator.fresh();
-        let ring = &mut audit.elaborator.ring;
+        let elaborator = &mut document_of(specification, audits).elaborator;
+        elaborator.fresh();
+        let ring = &mut elaborator.ring;
         let doubt = match prove_files(&found, specification, arguments.language, ring) {
             Ok(proof) if changed_support.is_empty() => {
                 report.push_str(&format!("{name}: proven. {proof}\n"));
@@ -269,10 +270,10 @@ fn check(generated: &Generated, audit: &mut Audit, arguments: &Arguments) -> Out
 }
 
 /// Says why nothing was generated.
-pub(super) fn refuse(failure: &Failure, audit: &Audit, arguments: &Arguments) -> Outcome {
+pub(super) fn refuse(failure: &Failure, audits: &[Audit], arguments: &Arguments) -> Outcome {
     match failure {
         Failure::NoEvaluator => wrong(
-            &format!("{} wants nothing compiled", audit.path),
+            &format!("{} wants nothing compiled", paths(audits)),
             "say what with `evaluator (1) name: output = expression`",
         ),
         Failure::UnknownEvaluator(name, known) => {
@@ -283,7 +284,7 @@ pub(super) fn refuse(failure: &Failure, audit: &Audit, arguments: &Arguments) ->
             name,
             known,
         ),
-        Failure::Refused(evaluator, refusal) => refused(evaluator, refusal, audit),
+        Failure::Refused(evaluator, path, refusal) => refused(evaluator, path, refusal, audits),
         Failure::NoPoint(evaluator) => wrong(
             &format!("`{evaluator}` has no value at any point of the domain that is drawn"),
             "fix less, or state another `domain`: a divisor is 0 there, or a root imaginary",
@@ -302,10 +303,16 @@ pub(super) fn refuse(failure: &Failure, audit: &Audit, arguments: &Arguments) ->
     }
 }
 
-pub(super) fn refused(evaluator: &str, refusal: &Refusal, audit: &Audit) -> Outcome {
+fn paths(audits: &[Audit]) -> String {
+    let paths: Vec<&str> = audits.iter().map(|audit| audit.path.as_str()).collect();
+    paths.join(" or ")
+}
+
+pub(super) fn refused(evaluator: &str, path: &str, refusal: &Refusal, audits: &[Audit]) -> Outcome {
     match refusal {
         Refusal::Document(diagnostic) => {
-            let source = audit.sources.last();
+            let audit = audits.iter().find(|audit| audit.path == path);
+            let source = audit.and_then(|audit| audit.sources.last());
             let shown = source.map(|source| render(diagnostic, source, true));
             complain(&shown.unwrap_or_default());
             Outcome::WrongInput

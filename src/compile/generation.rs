@@ -7,7 +7,6 @@ use sextic_codegen::language::{self, File, Language};
 use sextic_codegen::rounding::{self, Domain, Interval, Unmeasured};
 
 use crate::derivation::audit::Audit;
-use crate::derivation::evaluator::Evaluator;
 
 use super::doubt::Doubt;
 use super::fixed::{Fixed, written};
@@ -85,14 +84,14 @@ impl Generated {
 /// Why nothing was generated.
 #[derive(Clone, Debug)]
 pub enum Failure {
-    /// The document wants nothing compiled.
+    /// The documents want nothing compiled.
     NoEvaluator,
-    /// No evaluator has this name; those of the document.
+    /// No evaluator has this name; those of the documents.
     UnknownEvaluator(String, Vec<String>),
     /// No evaluator that was ordered rests on this name; those that they rest on.
     UnknownQuantity(String, Vec<String>),
-    /// An evaluator cannot be compiled.
-    Refused(String, Refusal),
+    /// An evaluator of the document of this path cannot be compiled.
+    Refused(String, String, Refusal),
     /// An output of an evaluator has no value at any point of the domain.
     NoPoint(String),
     /// An evaluator cannot be written in this language.
@@ -101,18 +100,19 @@ pub enum Failure {
     Doubted(String, Doubt),
 }
 
-/// Generates what is ordered from an audited document; `report` is told what is being worked on.
+/// Generates what is ordered from audited documents; `report` is told what is being worked on.
 ///
 /// # Errors
 ///
 /// [`Failure`]
 pub fn generate(
-    audit: &mut Audit,
+    audits: &mut [Audit],
     order: &Order,
     report: &mut dyn FnMut(&str),
 ) -> Result<Generated, Failure> {
-    let mut specifications = specifications(audit, &order.names, &order.fixed)?;
+    let mut specifications = specifications(audits, &order.names, &order.fixed)?;
     for specification in &mut specifications {
+        let audit = document_of(specification, audits);
         let evaluator = &mut specification.evaluator;
         evaluator.command = order.command();
         if order.points > 0 {
@@ -132,12 +132,12 @@ pub fn generate(
     let drafts = emit(&specifications, order.language)?;
     for specification in &mut specifications {
         report(&format!("proving {}", specification.evaluator.name));
-        let proof = proven(&drafts, specification, order.language, audit)?;
+        let proof = proven(&drafts, specification, order.language, audits)?;
         specification.evaluator.proof = Some(proof.to_string());
     }
     let files = emit(&specifications, order.language)?;
     for specification in &specifications {
-        proven(&files, specification, order.language, audit)?;
+        proven(&files, specification, order.language, audits)?;
     }
     Ok(Generated {
         specifications,
@@ -145,23 +145,42 @@ pub fn generate(
     })
 }
 
-/// The evaluators of a document by name, or all of them, with quantities fixed.
+/// The document that an evaluator was specified from.
+///
+/// # Panics
+///
+/// If it was specified from none of these.
+pub fn document_of<'a>(specification: &Specification, audits: &'a mut [Audit]) -> &'a mut Audit {
+    let path = &specification.evaluator.document;
+    let mut audits = audits.iter_mut();
+    audits
+        .find(|audit| audit.path == *path)
+        .expect("the document of an evaluator")
+}
+
+/// The evaluators of documents by name, or all of them, with quantities fixed.
 ///
 /// # Errors
 ///
 /// [`Failure`]
 pub fn specifications(
-    audit: &mut Audit,
+    audits: &mut [Audit],
     names: &[String],
     fixed: &[Fixed],
 ) -> Result<Vec<Specification>, Failure> {
-    let mut specifications = Vec::new();
-    for evaluator in chosen(&audit.evaluators, names)? {
-        let specification = Specification::of(&evaluator, audit, fixed);
-        specifications.push(
-            specification
-                .map_err(|refusal| Failure::Refused(evaluator.name.unicode.clone(), refusal))?,
-        );
+    let all = audits.iter().flat_map(|audit| &audit.evaluators);
+    check_names(names, all.map(|evaluator| evaluator.name.ascii.as_str()))?;
+    let mut specifications: Vec<Specification> = Vec::new();
+    for audit in audits {
+        for evaluator in audit.evaluators.clone() {
+            if names.is_empty() || names.contains(&evaluator.name.ascii) {
+                let specification = Specification::of(&evaluator, audit, fixed);
+                specifications.push(specification.map_err(|refusal| {
+                    let name = evaluator.name.unicode.clone();
+                    Failure::Refused(name, audit.path.clone(), refusal)
+                })?);
+            }
+        }
     }
     let is_used = |fixed: &Fixed| {
         let mut all = specifications.iter();
@@ -179,21 +198,15 @@ pub fn specifications(
     }
 }
 
-fn chosen(evaluators: &[Evaluator], names: &[String]) -> Result<Vec<Evaluator>, Failure> {
-    if evaluators.is_empty() {
+fn check_names<'a>(names: &[String], known: impl Iterator<Item = &'a str>) -> Result<(), Failure> {
+    let known: Vec<String> = known.map(str::to_string).collect();
+    if known.is_empty() {
         return Err(Failure::NoEvaluator);
     }
-    if names.is_empty() {
-        return Ok(evaluators.to_vec());
+    match names.iter().find(|name| !known.contains(name)) {
+        Some(name) => Err(Failure::UnknownEvaluator(name.clone(), known)),
+        None => Ok(()),
     }
-    for name in names {
-        if !evaluators.iter().any(|known| known.name.ascii == *name) {
-            let known = evaluators.iter().map(|known| known.name.ascii.clone());
-            return Err(Failure::UnknownEvaluator(name.clone(), known.collect()));
-        }
-    }
-    let is_wanted = |evaluator: &&Evaluator| names.contains(&evaluator.name.ascii);
-    Ok(evaluators.iter().filter(is_wanted).cloned().collect())
 }
 
 fn emit(specifications: &[Specification], language: Language) -> Result<Vec<File>, Failure> {
@@ -208,8 +221,9 @@ fn proven(
     files: &[File],
     specification: &Specification,
     language: Language,
-    audit: &mut Audit,
+    audits: &mut [Audit],
 ) -> Result<Proof, Failure> {
+    let audit = document_of(specification, audits);
     audit.elaborator.fresh();
     prove_files(files, specification, language, &mut audit.elaborator.ring)
         .map_err(|doubt| Failure::Doubted(specification.evaluator.name.clone(), doubt))

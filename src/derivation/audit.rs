@@ -42,7 +42,7 @@ pub struct Audit {
     pub claims: Vec<Claim>,
     /// Its matchings, in order.
     pub matchings: Vec<Matched>,
-    /// What it wants compiled, in order.
+    /// What it wants compiled itself, in order.
     pub evaluators: Vec<Evaluator>,
     /// Where its quantities lie in practice.
     pub domain: Domain,
@@ -101,7 +101,7 @@ pub fn audit(source: &SourceFile, library: &dyn Library) -> Result<Audit, Box<Re
         title: read.title,
         claims,
         matchings: read.matchings,
-        evaluators: reader.evaluators,
+        evaluators: read.evaluators,
         domain: reader.domain,
         assumptions: reader.assumptions,
         elaborator: reader.elaborator,

@@ -8,7 +8,7 @@ use sextic::compile::generation::{Order, generate};
 use sextic::report::text::difference;
 use sextic_codegen::language::Language;
 
-use super::paper;
+use super::audits;
 
 /// What makes them anew.
 const MEND: &str = "cargo run --release -- generate --out codegen/evaluators/src --language rust";
@@ -16,7 +16,7 @@ const MEND: &str = "cargo run --release -- generate --out codegen/evaluators/src
 #[test]
 fn the_evaluators_that_are_checked_in_are_fresh() {
     let order = Order::of_all(Language::Rust);
-    let generated = generate(&mut paper(), &order, &mut |_| ()).expect("they are generated");
+    let generated = generate(&mut audits(), &order, &mut |_| ()).expect("they are generated");
     let wanted = generated
         .files
         .into_iter()

@@ -13,11 +13,18 @@ use sextic::derivation::diagnostic::SourceFile;
 use sextic::documents::{ShippedLibrary, shipped};
 use sextic_codegen::language::{File, Language, emit};
 
+/// The documents that come with the command.
+fn audits() -> Vec<Audit> {
+    let read = shipped().map(|source| audit(&source, &ShippedLibrary));
+    read.map(|audit| audit.unwrap_or_else(|error| panic!("{:?}", error.diagnostics)))
+        .collect()
+}
+
 fn paper() -> Audit {
-    let paper = shipped()
-        .find(|document| document.path.ends_with("he-macdonald-2017.md"))
-        .expect("the paper's document is shipped");
-    audit(&paper, &ShippedLibrary).unwrap_or_else(|error| panic!("{:?}", error.diagnostics))
+    let found = audits()
+        .into_iter()
+        .find(|audit| audit.path.ends_with("he-macdonald-2017.md"));
+    found.expect("the paper's document is shipped")
 }
 
 /// The emitted files of an evaluator, without those that all evaluators share.
@@ -88,8 +95,9 @@ fn inputs_say_which_angles_they_are_made_of() {
 
 #[test]
 fn operation_counts_are_locked() {
-    let mut audit = paper();
-    let counts = specifications(&mut audit).into_iter().map(|specification| {
+    let mut audits = audits();
+    let all = audits.iter_mut().flat_map(specifications);
+    let counts = all.map(|specification| {
         let evaluator = &specification.evaluator;
         format!("{}: {}", evaluator.name, evaluator.cost())
     });

@@ -7,11 +7,15 @@
 //! Command: `sextic generate --out DIR --language rust`
 //!
 //! - All positive exactly where every root of the polynomial has a negative real part: [`hurwitz_determinants::hurwitz_determinants`]
+//! - Damping in modal coordinates, and the frequencies, for perfect tuning, from the physical parameters: [`modal_damping_in_wind::modal_damping_in_wind`]
+//! - Damping in modal coordinates, and the frequencies, for perfect tuning, from the scaled damping matrix: [`modal_damping::modal_damping`]
 //! - Squares of the circular frequencies, and mode shapes, without wind and for perfect tuning, Eq. (15): [`no_wind_modes::no_wind_modes`]
 //! - The coefficients of the characteristic polynomial for perfect tuning, that of λ⁰ first, Eq. (19): [`characteristic_polynomial_tuned::characteristic_polynomial_tuned`]
 //! - The coefficients of the characteristic polynomial for wind along x, that of λ⁰ first, Eq. (19): [`characteristic_polynomial_along_x::characteristic_polynomial_along_x`]
 //! - The coefficients of the characteristic polynomial without structural damping, that of λ⁰ first, Eq. (19): [`characteristic_polynomial_undamped::characteristic_polynomial_undamped`]
 //! - The coefficients of the characteristic polynomial, that of λ⁰ first, Eq. (19): [`characteristic_polynomial::characteristic_polynomial`]
+//! - The coefficients of μ², μ and 1 of the characteristic cubic, real and imaginary parts, to first order in the damping; iν_2 + μ are the eigenvalues: [`uniform_cubic_1::uniform_cubic_1`]
+//! - The coefficients of μ², μ and 1 of the characteristic cubic, real and imaginary parts, to second order in the damping; iν_2 + μ are the eigenvalues: [`uniform_cubic::uniform_cubic`]
 //! - The real parts of the eigenvalues of the three modes (one above 0 gallops), to first order in the damping, without structural damping, for perfect tuning, and if the eccentricity separates the modes by more than they are damped; from the physical parameters, Eqs. (21), (22), (23): [`closed_form_in_wind::closed_form_in_wind`]
 //! - The real parts of the eigenvalues of the three modes (one above 0 gallops), to first order in the damping, without structural damping, for perfect tuning, and if the eccentricity separates the modes by more than they are damped; from the scaled damping matrix, Eqs. (21), (22), (23): [`closed_form::closed_form`]
 //! - The scaled aerodynamic damping matrix, Eq. (18): [`aerodynamic_damping::aerodynamic_damping`]
@@ -44,4 +48,12 @@ pub mod hurwitz_determinants;
 #[rustfmt::skip]
 pub mod matching_residuals;
 #[rustfmt::skip]
+pub mod modal_damping;
+#[rustfmt::skip]
+pub mod modal_damping_in_wind;
+#[rustfmt::skip]
 pub mod no_wind_modes;
+#[rustfmt::skip]
+pub mod uniform_cubic;
+#[rustfmt::skip]
+pub mod uniform_cubic_1;

@@ -32,7 +32,7 @@ pub(super) struct Reader<'a> {
     pub(super) finished: Vec<SourceFile>,
     aliases: Aliases,
     /// What the documents want compiled, imported ones included.
-    pub(super) evaluators: Vec<Evaluator>,
+    evaluators: Vec<Evaluator>,
     /// Where the quantities lie in practice.
     pub(super) domain: Domain,
 }
@@ -43,6 +43,7 @@ pub(super) struct Read {
     pub(super) title: Option<String>,
     pub(super) findings: Vec<Finding>,
     pub(super) matchings: Vec<Matched>,
+    pub(super) evaluators: Vec<Evaluator>,
     pub(super) checks: Vec<MatchingCheck>,
 }
 
@@ -105,7 +106,8 @@ impl<'a> Reader<'a> {
             return Ok(());
         }
         if let Some(evaluator) = Evaluator::of(statement, &self.evaluators)? {
-            self.evaluators.push(evaluator);
+            self.evaluators.push(evaluator.clone());
+            read.evaluators.push(evaluator);
             return Ok(());
         }
         if let StatementKind::Domain(stated) = &statement.kind {
