@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Times `sextic audit` as a process, from start to exit: median, least and most of some runs.
 #
-#     benches/audit.sh [RUNS]
+#     benches/audit.sh [RUNS [DOC…]]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -11,7 +11,7 @@ command=${CARGO_TARGET_DIR:-target}/release/sextic
 
 for ((run = 0; run < runs; run++)); do
     start=${EPOCHREALTIME/[.,]/}
-    "$command" audit >/dev/null
+    "$command" audit "${@:2}" >/dev/null
     echo $((${EPOCHREALTIME/[.,]/} - start))
 done | sort -n | awk '
     { time[NR] = $1 / 1000 }

@@ -13,6 +13,10 @@ const SHIPPED: &[(&str, &str)] = &[
         "derivations/uniform.md",
         include_str!("../derivations/uniform.md"),
     ),
+    (
+        "derivations/extensions.md",
+        include_str!("../derivations/extensions.md"),
+    ),
 ];
 
 /// The documents that come with the command, in the order in which they are audited.

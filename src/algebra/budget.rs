@@ -35,7 +35,7 @@ pub const LARGEST_EXPONENT: u32 = u16::MAX as u32;
 /// budget.refill();
 /// assert!(budget.spend(7).is_ok());
 /// ```
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Budget {
     limit: u64,
     remaining: Cell<u64>,

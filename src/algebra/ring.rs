@@ -32,7 +32,7 @@ use super::symbol::Symbol;
 /// assert_eq!(ring.product(&i, &i)?, ring.negative(&ring.one()));
 /// # Ok::<(), sextic::algebra::error::AlgebraError>(())
 /// ```
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Ring {
     generators: Vec<Generator>,
     assumptions: Assumptions,

@@ -3,7 +3,7 @@
 use std::fs;
 use std::io::{ErrorKind, Read};
 
-use crate::derivation::audit::{Audit, Library, Rejected, audit};
+use crate::derivation::audit::{Audit, Library, Rejected, audit_after};
 use crate::derivation::diagnostic::SourceFile;
 use crate::derivation::document::MAXIMUM_SIZE;
 use crate::documents::{ShippedLibrary, resolve, shipped};
@@ -17,21 +17,22 @@ use super::output::{reject, wrong};
 pub fn audit_all(paths: &[String]) -> (Vec<Audit>, Outcome) {
     let mut audits = Vec::new();
     let mut outcome = Outcome::AsExpected;
-    let mut take = |audited: Result<Audit, Outcome>| match audited {
-        Ok(audit) => audits.push(audit),
-        Err(failed) => outcome = outcome.max(failed),
+    let mut take = |source: Result<SourceFile, Outcome>, library: &dyn Library| {
+        let audited = source.and_then(|source| {
+            audit_after(&audits, &source, library).map_err(|rejected| reject(&rejected))
+        });
+        match audited {
+            Ok(audit) => audits.push(audit),
+            Err(failed) => outcome = outcome.max(failed),
+        }
     };
     if paths.is_empty() {
-        shipped().for_each(|source| take(audit_one(&source, &ShippedLibrary)));
+        shipped().for_each(|source| take(Ok(source), &ShippedLibrary));
     }
     for path in paths {
-        take(read(path).and_then(|source| audit_one(&source, &Disk)));
+        take(read(path), &Disk);
     }
     (audits, outcome)
-}
-
-fn audit_one(source: &SourceFile, library: &dyn Library) -> Result<Audit, Outcome> {
-    audit(source, library).map_err(|rejected| reject(&rejected))
 }
 
 /// The documents on the disk, which import each other by paths relative to themselves.

@@ -11,6 +11,7 @@ use super::evaluator::Evaluator;
 use super::explanation::Explanation;
 use super::judge::Judge;
 use super::matching::Matched;
+use super::name::Aliases;
 use super::syntax::{Name, Relation};
 use super::verdict::Claim;
 
@@ -50,6 +51,10 @@ pub struct Audit {
     pub assumptions: Vec<Relation>,
     /// The names and the ring that all of this is about.
     pub elaborator: Elaborator,
+    /// The spellings that it and its imports declare.
+    aliases: Aliases,
+    /// What it and its imports want compiled.
+    all_evaluators: Vec<Evaluator>,
 }
 
 impl Audit {
@@ -85,8 +90,22 @@ pub struct Rejected {
 ///
 /// [`Rejected`] where the document, or one that it imports, does not make sense.
 pub fn audit(source: &SourceFile, library: &dyn Library) -> Result<Audit, Box<Rejected>> {
+    audit_after(&[], source, library)
+}
+
+/// The same as [`audit`], without reading what was audited before once more: a document that begins
+/// with the import of an earlier one goes on from where that ended.
+///
+/// # Errors
+///
+/// Those of [`audit`].
+pub fn audit_after(
+    earlier: &[Audit],
+    source: &SourceFile,
+    library: &dyn Library,
+) -> Result<Audit, Box<Rejected>> {
     let reject = |diagnostic| rejected(source, vec![diagnostic]);
-    let mut reader = Reader::new(library);
+    let mut reader = Reader::new(library, earlier);
     let read = reader.read(source)?;
     let signs = reader.signs();
     let mut judge = Judge::new(&reader.elaborator.scope, &reader.assumptions, signs);
@@ -105,6 +124,8 @@ pub fn audit(source: &SourceFile, library: &dyn Library) -> Result<Audit, Box<Re
         domain: reader.domain,
         assumptions: reader.assumptions,
         elaborator: reader.elaborator,
+        aliases: reader.aliases,
+        all_evaluators: reader.evaluators,
     })
 }
 

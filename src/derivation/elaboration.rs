@@ -31,7 +31,7 @@ use substitution::KnownSubstitution;
 
 /// Turns expressions into elements of its ring, with units, and collects the conditions under which
 /// they exist.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Elaborator {
     /// The ring of the document.
     pub ring: Ring,

@@ -4,12 +4,12 @@
 use std::fmt::Write;
 
 use insta::Settings;
-use sextic::derivation::audit::{Audit, audit};
+use sextic::derivation::audit::{Audit, audit, audit_after};
 use sextic::derivation::notation::Notation;
 use sextic::derivation::verdict::{Claim, Verdict};
 use sextic::documents::{ShippedLibrary, shipped};
 use sextic::report::details::neglected;
-use sextic::report::words;
+use sextic::report::{json, words};
 
 fn audits() -> Vec<Audit> {
     let read = shipped().map(|source| audit(&source, &ShippedLibrary));
@@ -82,6 +82,25 @@ fn every_verdict_is_locked() {
             .trim_end_matches(".md");
         let lines: String = audit.claims.iter().map(verdict_lines).collect();
         lock(&format!("verdicts-{name}"), &lines);
+    }
+}
+
+#[test]
+fn what_was_audited_before_changes_nothing() {
+    let alone = audits();
+    let mut earlier: Vec<Audit> = Vec::new();
+    for source in shipped() {
+        let next = audit_after(&earlier, &source, &ShippedLibrary);
+        earlier.push(next.unwrap_or_else(|rejected| panic!("{:?}", rejected.diagnostics)));
+    }
+    assert_eq!(json::audits(&alone), json::audits(&earlier));
+    for (alone, after) in alone.iter().zip(&earlier) {
+        assert_eq!(alone.sources, after.sources);
+        for (claim, same) in alone.claims.iter().zip(&after.claims) {
+            let steps =
+                [alone.explain(claim), after.explain(same)].map(|steps| format!("{steps:?}"));
+            assert_eq!(steps[0], steps[1]);
+        }
     }
 }
 

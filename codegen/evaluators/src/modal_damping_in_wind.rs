@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/uniform.md`
 //! - SHA-256 of the document:
-//!   `2bd4c606d80b898731ed9a816aae012c37728e9c79e0d45b31506e1144afe7b7`
+//!   `f8866f628243113094ea61c170c2c9f2c711ad58116278fb8adbd885e35fc3ea`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -541,7 +541,7 @@ fn modal_damping_in_wind_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/uniform.md`
 /// - SHA-256 of the document:
-///   `2bd4c606d80b898731ed9a816aae012c37728e9c79e0d45b31506e1144afe7b7`
+///   `f8866f628243113094ea61c170c2c9f2c711ad58116278fb8adbd885e35fc3ea`
 #[must_use]
 pub fn modal_damping_in_wind(inputs: &ModalDampingInWindInputs<f64>) -> ModalDampingInWindOutputs<f64> {
     modal_damping_in_wind_body(inputs)

@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/uniform.md`
 //! - SHA-256 of the document:
-//!   `2bd4c606d80b898731ed9a816aae012c37728e9c79e0d45b31506e1144afe7b7`
+//!   `f8866f628243113094ea61c170c2c9f2c711ad58116278fb8adbd885e35fc3ea`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -234,15 +234,15 @@ fn uniform_cubic_body<T: Arithmetic>(
 ///
 /// # Formula
 ///
-/// - `re = real_parts(V_2)`
-/// - `im = imaginary_parts(V_2)`
+/// - `re = real_parts(F_2)`
+/// - `im = imaginary_parts(F_2)`
 /// - `real_parts(Q) := [−trace(P), pairs(P) − pairs(Q), mixed(Q, 2) − |P|]`
-/// - `V_2 := V_1 − 1/4·B·H`
+/// - `F_2 := F_1 − 1/4·B·H`
 /// - `imaginary_parts(Q) := [−trace(Q), trace(P)·trace(Q) − trace(P·Q), |Q| − mixed(Q, 1)]`
 /// - `P := −1/2·B`
 /// - `pairs(Q) := (trace(Q)² − trace(Q·Q))/2`
 /// - `mixed(Q, n) := coefficient(|P + h·Q|, h, n)`
-/// - `V_1 := diagonal(Δ_1, 0, Δ_3)`
+/// - `F_1 := diagonal(Δ_1, 0, Δ_3)`
 /// - `B := [B_11, B_12, B_13; B_21, B_22, B_23; B_31, B_32, B_33]`
 /// - `H := [B_11/(2·(ν_2 + Δ_1)), B_12/(2·ν_2 + Δ_1), B_13/(2·ν_2 + Δ_1 + Δ_3); B_21/(2·ν_2 +
 ///   Δ_1), B_22/(2·ν_2), B_23/(2·ν_2 + Δ_3); B_31/(2·ν_2 + Δ_1 + Δ_3), B_32/(2·ν_2 + Δ_3),
@@ -316,7 +316,7 @@ fn uniform_cubic_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/uniform.md`
 /// - SHA-256 of the document:
-///   `2bd4c606d80b898731ed9a816aae012c37728e9c79e0d45b31506e1144afe7b7`
+///   `f8866f628243113094ea61c170c2c9f2c711ad58116278fb8adbd885e35fc3ea`
 #[must_use]
 pub fn uniform_cubic(inputs: &UniformCubicInputs<f64>) -> UniformCubicOutputs<f64> {
     uniform_cubic_body(inputs)

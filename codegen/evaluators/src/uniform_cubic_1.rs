@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/uniform.md`
 //! - SHA-256 of the document:
-//!   `2bd4c606d80b898731ed9a816aae012c37728e9c79e0d45b31506e1144afe7b7`
+//!   `f8866f628243113094ea61c170c2c9f2c711ad58116278fb8adbd885e35fc3ea`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -171,10 +171,10 @@ fn uniform_cubic_1_body<T: Arithmetic>(
 ///
 /// # Formula
 ///
-/// - `re = real_parts(V_1)`
-/// - `im = imaginary_parts(V_1)`
+/// - `re = real_parts(F_1)`
+/// - `im = imaginary_parts(F_1)`
 /// - `real_parts(Q) := [−trace(P), pairs(P) − pairs(Q), mixed(Q, 2) − |P|]`
-/// - `V_1 := diagonal(Δ_1, 0, Δ_3)`
+/// - `F_1 := diagonal(Δ_1, 0, Δ_3)`
 /// - `imaginary_parts(Q) := [−trace(Q), trace(P)·trace(Q) − trace(P·Q), |Q| − mixed(Q, 1)]`
 /// - `P := −1/2·B`
 /// - `pairs(Q) := (trace(Q)² − trace(Q·Q))/2`
@@ -238,7 +238,7 @@ fn uniform_cubic_1_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/uniform.md`
 /// - SHA-256 of the document:
-///   `2bd4c606d80b898731ed9a816aae012c37728e9c79e0d45b31506e1144afe7b7`
+///   `f8866f628243113094ea61c170c2c9f2c711ad58116278fb8adbd885e35fc3ea`
 #[must_use]
 pub fn uniform_cubic_1(inputs: &UniformCubic1Inputs<f64>) -> UniformCubic1Outputs<f64> {
     uniform_cubic_1_body(inputs)

@@ -5,7 +5,7 @@ use crate::derivation::document::Document;
 use crate::derivation::syntax::{Spanned, StatementKind};
 
 use super::reader::Reader;
-use super::{Rejected, rejected};
+use super::{Audit, Rejected, rejected};
 
 impl Reader<'_> {
     /// Reads the imports that were not read yet: how many there were.
@@ -36,13 +36,35 @@ impl Reader<'_> {
                 chain.extend([source.path.clone(), imported.path.clone()]);
                 return Err(reject(circular(path, &imported, &chain)));
             }
+            count += 1;
+            if self.go_on_from(&imported) {
+                continue;
+            }
             self.open.push(source.path.clone());
             self.read(&imported)?;
             self.open.pop();
             self.finished.push(imported);
-            count += 1;
         }
         Ok(count)
+    }
+
+    /// Takes over all that an earlier audit read, where nothing was read yet: the names and the ring are
+    /// what reading the document anew would make them.
+    fn go_on_from(&mut self, imported: &SourceFile) -> bool {
+        let known = |audit: &&Audit| audit.sources.last() == Some(imported);
+        let Some(known) = self.earlier.iter().find(known) else {
+            return false;
+        };
+        if !self.finished.is_empty() {
+            return false;
+        }
+        self.elaborator = known.elaborator.clone();
+        self.assumptions.clone_from(&known.assumptions);
+        self.finished.clone_from(&known.sources);
+        self.aliases = known.aliases.clone();
+        self.evaluators.clone_from(&known.all_evaluators);
+        self.domain = known.domain.clone();
+        true
     }
 }
 

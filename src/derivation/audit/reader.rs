@@ -19,20 +19,22 @@ use crate::derivation::syntax::{
     BinaryOperator, Comparison, Expectation, Expression, Relation, Statement, StatementKind,
 };
 
-use super::{Library, Rejected, STEPS, rejected};
+use super::{Audit, Library, Rejected, STEPS, rejected};
 
 /// Reads documents into one scope.
 pub(super) struct Reader<'a> {
     pub(super) elaborator: Elaborator,
     pub(super) library: &'a dyn Library,
+    /// The documents that were audited before.
+    pub(super) earlier: &'a [Audit],
     pub(super) assumptions: Vec<Relation>,
     /// The documents that are being read, each imported by the one before it.
     pub(super) open: Vec<String>,
     /// The documents that were imported, each behind those that it imports.
     pub(super) finished: Vec<SourceFile>,
-    aliases: Aliases,
+    pub(super) aliases: Aliases,
     /// What the documents want compiled, imported ones included.
-    evaluators: Vec<Evaluator>,
+    pub(super) evaluators: Vec<Evaluator>,
     /// Where the quantities lie in practice.
     pub(super) domain: Domain,
 }
@@ -49,10 +51,11 @@ pub(super) struct Read {
 
 impl<'a> Reader<'a> {
     /// A reader that has read nothing.
-    pub(super) fn new(library: &'a dyn Library) -> Self {
+    pub(super) fn new(library: &'a dyn Library, earlier: &'a [Audit]) -> Self {
         Reader {
             elaborator: Elaborator::new(Budget::new(STEPS)),
             library,
+            earlier,
             assumptions: Vec::new(),
             open: Vec::new(),
             finished: Vec::new(),

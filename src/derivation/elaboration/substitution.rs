@@ -21,7 +21,7 @@ use super::error::{algebra, quantity as quantity_error};
 use super::limit::check_replacements;
 
 /// What a named substitution came to.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct KnownSubstitution {
     images: Substitution,
     /// What must hold for the images to exist.
