@@ -21,6 +21,7 @@ use sextic::stability::interpolation::CoefficientCurves;
 use sextic::stability::model::Model;
 use sextic::stability::section::Section;
 use sextic::stability::tracking::Mode;
+use sextic::stability::uniform_form::uniform_form;
 use sextic::stability::variable::Variable;
 use sextic::stability::{companion, modes};
 use side_by_side::{Contender, compare};
@@ -105,6 +106,11 @@ fn all_methods(case: &Case, table: &CoefficientTable) {
                     let _ = black_box(closed_form(section));
                 }
             }),
+            Contender::new("uniform form", count, || {
+                for model in &models {
+                    let _ = black_box(uniform_form(model));
+                }
+            }),
             Contender::new("bare eigenvalues of the state matrix", count, || {
                 for matrix in &matrices {
                     black_box(
@@ -128,6 +134,7 @@ fn sweep(case: &Case, table: &CoefficientTable) {
         exact: false,
         companion: false,
         closed: true,
+        uniform: false,
     };
     let grid = Grid::new(case, table, axes, Rows::Points, methods).unwrap();
     assert_eq!(grid.rows(), POINTS as u64);

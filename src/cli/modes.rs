@@ -8,12 +8,13 @@ use sextic_codegen::language::literal::Decimal;
 use crate::compile::fixed::Fixed;
 use crate::report::modes::ModesFound;
 use crate::report::{json, text};
-use crate::stability::closed_form::closed_form;
+use crate::stability::closed_form::{ClosedForm, Limitation, closed_form};
 use crate::stability::eigenvalue::Spectrum;
 use crate::stability::error::StabilityError;
 use crate::stability::model::Model;
 use crate::stability::quantities::{names, needed, parameters};
 use crate::stability::section::Section;
+use crate::stability::uniform_form::uniform_form;
 use crate::stability::{companion, modes};
 
 use super::Outcome;
@@ -46,7 +47,7 @@ pub struct Arguments {
 enum Method {
     /// By the closed forms (21) to (23): perfect tuning, no structural damping
     Closed,
-    /// By a form that holds at every eccentricity: not built yet
+    /// By a form that holds at every eccentricity, to second order in the damping
     Uniform,
     /// All six with a certain error, without an eigenvalue routine: not built yet
     Exact,
@@ -84,10 +85,10 @@ pub fn run(arguments: &Arguments) -> Outcome {
 }
 
 fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
-    if let Method::Uniform | Method::Exact = arguments.method {
+    if arguments.method == Method::Exact {
         return Err(wrong(
             "this method is not built yet",
-            "there are --method state, companion and closed",
+            "there are --method state, companion, uniform and closed",
         ));
     }
     let values = values(&arguments.set)?;
@@ -109,26 +110,8 @@ fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
     let model = Model::new(&section).map_err(refuse)?;
     let mut found = match arguments.method {
         Method::Companion => by_spectrum("companion", companion::eigenvalues(&model), &section),
-        Method::Closed => {
-            let closed = closed_form(&section).map_err(|limitation| {
-                wrong(
-                    &limitation.to_string(),
-                    "`--method state` applies to every section",
-                )
-            })?;
-            Ok(ModesFound {
-                method: "closed",
-                eigenvalues: closed
-                    .eigenvalues
-                    .iter()
-                    .map(|value| (*value, None))
-                    .collect(),
-                damping_coefficient: section
-                    .damping_coefficient(closed.largest_real_part())
-                    .map(|damping| (damping, None)),
-                warnings: closed.warnings.iter().map(ToString::to_string).collect(),
-            })
-        }
+        Method::Closed => Ok(by_form("closed", closed_form(&section), &model)?),
+        Method::Uniform => Ok(by_form("uniform", uniform_form(&model), &model)?),
         _ => by_spectrum("state", modes::eigenvalues(&model), &section),
     }
     .map_err(refuse)?;
@@ -142,6 +125,30 @@ fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
             .push(format!("{} did not matter", unused.join(", ")));
     }
     Ok(found)
+}
+
+fn by_form(
+    method: &'static str,
+    form: Result<ClosedForm, Limitation>,
+    model: &Model,
+) -> Result<ModesFound, Outcome> {
+    let form = form.map_err(|limitation| {
+        wrong(
+            &limitation.to_string(),
+            "`--method state` applies to every section",
+        )
+    })?;
+    let errors = modes::error_bounds_of(model, &form.eigenvalues);
+    let pairs = form.eigenvalues.iter().zip(errors);
+    let damping = model
+        .section()
+        .damping_coefficient(form.largest_real_part());
+    Ok(ModesFound {
+        method,
+        eigenvalues: pairs.map(|(value, error)| (*value, error)).collect(),
+        damping_coefficient: damping.map(|damping| (damping, None)),
+        warnings: form.warnings.iter().map(ToString::to_string).collect(),
+    })
 }
 
 fn by_spectrum(

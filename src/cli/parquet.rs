@@ -13,7 +13,7 @@ use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::{Type, TypePtr};
 
 /// The columns of words; all others are of doubles.
-const WORDS: [&str; 2] = ["mostly", "closed_limits"];
+const WORDS: [&str; 3] = ["mostly", "closed_limits", "uniform_limits"];
 
 /// So many rows are in memory at once.
 const GROUP: usize = 1 << 16;

@@ -38,7 +38,7 @@ pub struct Arguments {
     vary: Vec<Axis>,
 
     /// The methods that are asked
-    #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Method::State, Method::Companion, Method::Closed])]
+    #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Method::State, Method::Companion, Method::Closed, Method::Uniform])]
     method: Vec<Method>,
 
     /// One row for all angles: that of the smallest S_3D, by the first of the methods that are asked
@@ -59,6 +59,8 @@ enum Method {
     Companion,
     /// The closed forms (21) to (23), where they apply
     Closed,
+    /// The form that holds at every eccentricity
+    Uniform,
 }
 
 const EXAMPLES: &str = "\
@@ -70,7 +72,7 @@ Quantities, as in a case file or in SI units and radians:
 Examples:
   sextic sweep case.toml --vary L_g=0:0.004:200 --vary U=2:40:200 --worst --out sweep.csv
   sextic sweep case.toml --vary alpha_deg=30 --vary U=2:40:39
-  sextic sweep case.toml --vary zeta=0:0.02:41 --method state,closed --out sweep.csv
+  sextic sweep case.toml --vary zeta=0:0.02:41 --method state,uniform --out sweep.csv
 
 Exit status:
   0  all rows were computed
@@ -95,6 +97,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         exact: arguments.method.contains(&Method::State),
         companion: arguments.method.contains(&Method::Companion),
         closed: arguments.method.contains(&Method::Closed),
+        uniform: arguments.method.contains(&Method::Uniform),
     };
     let rows = if arguments.worst {
         Rows::WorstAngles

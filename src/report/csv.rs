@@ -40,9 +40,8 @@ pub fn comparison(comparison: &Comparison) -> String {
             angle(point.angle).to_string(),
             certain(point.exact),
             optional(point.companion.map(certain)),
-            optional(point.closed.map(|closed| decimal(closed, 9))),
-            // The form that holds at every eccentricity is not built yet.
-            String::new(),
+            optional(point.closed.value.map(|closed| decimal(closed, 9))),
+            optional(point.uniform.value.map(|uniform| decimal(uniform, 9))),
             error(point.exact),
             optional(point.companion.map(error)),
             optional(critical.map(|mode| mode.label.to_string())),
@@ -60,18 +59,20 @@ pub fn comparison(comparison: &Comparison) -> String {
 
 /// The heading of the rows of a grid, with the end of the line: its quantities, S by the methods that are
 /// asked, bounds of their errors, the frequency and the coordinate that moves most in the mode with the
-/// least damping, and what speaks against the closed form.
+/// least damping, and what speaks against the closed and the uniform form.
 pub fn grid_heading(grid: &Grid) -> String {
     let methods = grid.methods();
     let optional = [
         (methods.exact, "s3d_exact"),
         (methods.companion, "s3d_companion"),
         (methods.closed, "s3d_closed"),
+        (methods.uniform, "s3d_uniform"),
         (methods.exact, "error_exact"),
         (methods.companion, "error_companion"),
         (methods.exact, "frequency_hz"),
         (methods.exact, "mostly"),
         (methods.closed, "closed_limits"),
+        (methods.uniform, "uniform_limits"),
     ];
     let asked = optional.iter().filter(|(is_asked, _)| *is_asked);
     let variables = grid.variables().map(|variable| variable.name);
@@ -101,7 +102,11 @@ pub fn grid_row(grid: &Grid, point: &GridPoint) -> String {
     cell(methods.companion, point.companion.map(certain));
     cell(
         methods.closed,
-        point.closed.map(|closed| decimal(closed, 9)),
+        point.closed.value.map(|closed| decimal(closed, 9)),
+    );
+    cell(
+        methods.uniform,
+        point.uniform.value.map(|uniform| decimal(uniform, 9)),
     );
     cell(methods.exact, point.exact.map(error));
     cell(methods.companion, point.companion.map(error));
@@ -114,8 +119,12 @@ pub fn grid_row(grid: &Grid, point: &GridPoint) -> String {
         methods.exact,
         mostly.map(|mostly| mostly.name().to_string()),
     );
-    let limits: Vec<&str> = point.limitations.iter().map(Limitation::name).collect();
-    cell(methods.closed, Some(limits.join(" ")));
+    let words = |limits: &[Limitation]| -> Option<String> {
+        let names: Vec<&str> = limits.iter().map(Limitation::name).collect();
+        Some(names.join(" "))
+    };
+    cell(methods.closed, words(&point.closed.limitations));
+    cell(methods.uniform, words(&point.uniform.limitations));
     row.pop();
     row.push('\n');
     row

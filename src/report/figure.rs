@@ -16,6 +16,8 @@ pub enum Stroke {
     Dashed,
     /// Hollow circles without a line, at some of the points.
     Circles,
+    /// Orange crosses without a line, between the circles.
+    Crosses,
     /// A grey line of dots.
     Dotted,
     /// A thin grey line.
@@ -65,8 +67,9 @@ const FONT: &str = "sans-serif";
 const SHADE: RGBColor = RGBColor(222, 222, 222);
 const BLUE_INK: RGBColor = RGBColor(0, 70, 160);
 const GREY_INK: RGBColor = RGBColor(80, 80, 80);
-/// Circles on a curve, at most.
-const MOST_CIRCLES: usize = 45;
+const ORANGE_INK: RGBColor = RGBColor(200, 80, 0);
+/// Circles or crosses on a curve, at most.
+const MOST_MARKS: usize = 45;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
@@ -138,9 +141,14 @@ impl Figure {
                 let points = piece.iter().copied();
                 match curve.stroke {
                     Stroke::Circles => {
-                        let every = piece.len().div_ceil(MOST_CIRCLES).max(1);
+                        let every = piece.len().div_ceil(MOST_MARKS).max(1);
                         let circle = |point| Circle::new(point, px(4), ink(BLACK, 1));
                         chart.draw_series(points.step_by(every).map(circle))?;
+                    }
+                    Stroke::Crosses => {
+                        let every = piece.len().div_ceil(MOST_MARKS).max(1);
+                        let cross = |point| Cross::new(point, px(4), ink(ORANGE_INK, 2));
+                        chart.draw_series(points.skip(every / 2).step_by(every).map(cross))?;
                     }
                     Stroke::Solid => {
                         chart.draw_series(LineSeries::new(points, ink(BLACK, 2)))?;
@@ -182,6 +190,12 @@ impl Figure {
                     for place in [px(6), px(30)] {
                         let centre = (left + place, middle);
                         head.draw(&Circle::new(centre, px(4), ink(BLACK, 1)))?;
+                    }
+                }
+                Stroke::Crosses => {
+                    for place in [px(6), px(30)] {
+                        let centre = (left + place, middle);
+                        head.draw(&Cross::new(centre, px(4), ink(ORANGE_INK, 2)))?;
                     }
                 }
                 Stroke::Solid => head.draw(&PathElement::new(line, ink(BLACK, 2)))?,

@@ -135,7 +135,7 @@ fn offset(comparison: &Comparison, table: &CoefficientTable) -> Result<Vec<Named
     let damping = Figure {
         title: title.clone(),
         x_label: x_label.clone(),
-        y_label: "S of each mode = −4m λ_R / (ρDU), dimensionless".into(),
+        y_label: "S of each mode = −4m Re λ / (ρDU), dimensionless".into(),
         shaded: Some("unstable".into()),
         curves: by_mode(&points, |mode| mode.damping.value),
         ..Figure::default()

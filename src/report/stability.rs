@@ -107,7 +107,7 @@ pub fn agreement(own: &Agreement, angles: usize) -> String {
     let mut text = if own.differs.is_empty() {
         match own.largest_error {
             Some(error) => format!("agrees within the errors of both, at most {}", power(error)),
-            None => format!("agrees, within {difference:.2}"),
+            None => format!("agrees, within {difference:.0e}"),
         }
     } else {
         let differs = ranges(&own.differs);

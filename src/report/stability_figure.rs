@@ -6,7 +6,7 @@ use crate::stability::comparison::{Comparison, Point};
 use super::figure::{Curve, Figure, Stroke};
 use super::stability::title;
 
-/// S against the angle of attack by the state matrix, the companion matrix and the closed forms; what is
+/// S against the angle of attack by the state matrix, the companion matrix, the closed forms and the uniform form; what is
 /// below 0 is unstable, and shaded.
 pub fn figure(comparison: &Comparison) -> Figure {
     let curve = |label: &str, stroke, value: &dyn Fn(&Point) -> Option<f64>| Curve {
@@ -22,7 +22,10 @@ pub fn figure(comparison: &Comparison) -> Figure {
             point.companion.map(|own| own.value)
         }),
         curve("closed form (21)–(23)", Stroke::Dashed, &|point| {
-            point.closed
+            point.closed.value
+        }),
+        curve("uniform form", Stroke::Crosses, &|point| {
+            point.uniform.value
         }),
     ];
     let symbol = match comparison.free().len() {
@@ -37,7 +40,7 @@ pub fn figure(comparison: &Comparison) -> Figure {
             format!("{}{}", name(&comparison.case), rest.unwrap_or_default())
         },
         x_label: "angle of attack α (degrees)".into(),
-        y_label: format!("{symbol} = −4m max λ_R / (ρDU), dimensionless"),
+        y_label: format!("{symbol} = −4m max Re λ / (ρDU), dimensionless"),
         shaded: Some("unstable".into()),
         curves: curves
             .into_iter()

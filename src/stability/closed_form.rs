@@ -7,7 +7,7 @@ use sextic_evaluators::closed_form::{ClosedFormAngles, ClosedFormInputs};
 
 use super::section::Section;
 
-/// What speaks against the closed forms for a section.
+/// What speaks against a closed form for a section.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Limitation {
     /// A coordinate is held: they do not apply.
@@ -23,16 +23,26 @@ pub enum Limitation {
         /// δ|S| with δ = ρ D U/(2 m ω_n) and the Frobenius norm of S_a, Eq. (18).
         damping: f64,
     },
+    /// The damping is not small beside the frequencies: what is left out may matter.
+    StrongDamping {
+        /// |B|/(2ν), the damping in modal coordinates over twice the lowest frequency.
+        damping: f64,
+    },
+    /// No modes without wind, or no roots, were found in doubles.
+    NoRoots,
 }
 
 impl Limitation {
-    /// In a word, as in tables: `held`, `detuned`, `damped` or `eccentricity`.
+    /// In a word, as in tables: `held`, `detuned`, `damped`, `eccentricity`, `strong` or
+    /// `no-roots`.
     pub fn name(&self) -> &'static str {
         match self {
             Limitation::NotAllFree => "held",
             Limitation::NotTuned => "detuned",
             Limitation::StructuralDamping => "damped",
             Limitation::Eccentricity { .. } => "eccentricity",
+            Limitation::StrongDamping { .. } => "strong",
+            Limitation::NoRoots => "no-roots",
         }
     }
 }
@@ -41,7 +51,7 @@ impl fmt::Display for Limitation {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Limitation::NotAllFree => {
-                write!(formatter, "the closed form needs x, y and theta to be free")
+                write!(formatter, "this form needs x, y and theta to be free")
             }
             Limitation::NotTuned => write!(
                 formatter,
@@ -60,14 +70,22 @@ impl fmt::Display for Limitation {
                 formatter,
                 "the eccentricity {eccentricity:.2e} is not above the aerodynamic damping {damping:.2e}: the closed form may have the wrong sign"
             ),
+            Limitation::StrongDamping { damping } => write!(
+                formatter,
+                "the damping is not small: {damping:.2} of the lowest frequency; what the form leaves out is of the third order in it"
+            ),
+            Limitation::NoRoots => write!(
+                formatter,
+                "the modes without wind were not found in doubles"
+            ),
         }
     }
 }
 
-/// The real parts of Eqs. (21)–(23) with the frequencies of Eq. (15).
+/// The three eigenvalues with positive frequencies that a closed form gives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClosedForm {
-    /// λ_k = λ_Rk + i ω_k in 1/s, with ω_k² = ω_n² r/(r − L_g), ω_n², ω_n² r/(r + L_g).
+    /// λ_k = λ_Rk + i ω_k in 1/s, the highest frequency first.
     pub eigenvalues: [Complex<f64>; 3],
     /// What speaks against them.
     pub warnings: Vec<Limitation>,
@@ -81,7 +99,33 @@ impl ClosedForm {
     }
 }
 
-/// The closed forms for a section.
+/// S by a closed form, and what speaks against it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Estimate {
+    /// S; `None` where the form does not apply, or without wind.
+    pub value: Option<f64>,
+    /// What speaks against it.
+    pub limitations: Vec<Limitation>,
+}
+
+impl Estimate {
+    /// What a form says of a section.
+    pub(super) fn new(section: &Section, form: Result<ClosedForm, Limitation>) -> Self {
+        match form {
+            Ok(form) => Estimate {
+                value: section.damping_coefficient(form.largest_real_part()),
+                limitations: form.warnings,
+            },
+            Err(limitation) => Estimate {
+                value: None,
+                limitations: vec![limitation],
+            },
+        }
+    }
+}
+
+/// The closed forms for a section: the real parts of Eqs. (21)–(23) with the frequencies of Eq. (15),
+/// ω_k² = ω_n² r/(r − L_g), ω_n², ω_n² r/(r + L_g).
 ///
 /// # Errors
 ///

@@ -1,7 +1,7 @@
 //! A case at all combinations of values of some of its quantities.
 
 use super::case::Case;
-use super::closed_form::{Limitation, closed_form};
+use super::closed_form::{Estimate, closed_form};
 use super::coefficient_table::CoefficientTable;
 use super::companion;
 use super::comparison::Value;
@@ -13,6 +13,7 @@ use super::model::Model;
 use super::modes;
 use super::section::{Parameters, Section};
 use super::tracking::Mode;
+use super::uniform_form::uniform_form;
 use super::variable::Variable;
 
 /// A quantity and its values, in order.
@@ -88,6 +89,8 @@ pub struct Methods {
     pub companion: bool,
     /// The closed forms, Eqs. (21)–(23).
     pub closed: bool,
+    /// The uniform form, for every eccentricity.
+    pub uniform: bool,
 }
 
 /// What a row of a grid stands for.
@@ -108,10 +111,10 @@ pub struct GridPoint {
     pub exact: Option<Value>,
     /// S by the companion matrix.
     pub companion: Option<Value>,
-    /// S by the closed forms, where they apply.
-    pub closed: Option<f64>,
-    /// What speaks against the closed forms.
-    pub limitations: Vec<Limitation>,
+    /// S by the closed forms (21)–(23).
+    pub closed: Estimate,
+    /// S by the uniform form.
+    pub uniform: Estimate,
     /// The frequency in Hz of the mode with the least damping, and the coordinate that moves most in it.
     pub critical: Option<(f64, Coordinate)>,
 }
@@ -260,7 +263,8 @@ impl<'a> Grid<'a> {
         let size = |point: &GridPoint| {
             let exact = point.exact.map(|exact| exact.value);
             let value = exact
-                .or(point.closed)
+                .or(point.uniform.value)
+                .or(point.closed.value)
                 .or(point.companion.map(|own| own.value));
             value.unwrap_or(f64::INFINITY)
         };
@@ -287,8 +291,8 @@ impl<'a> Grid<'a> {
             values,
             exact: None,
             companion: None,
-            closed: None,
-            limitations: Vec::new(),
+            closed: Estimate::default(),
+            uniform: Estimate::default(),
             critical: None,
         };
         if let Ok(section) = section {
@@ -310,21 +314,18 @@ impl<'a> Grid<'a> {
 
     fn answer(&self, section: &Section, point: &mut GridPoint) {
         if self.methods.closed {
-            match closed_form(section) {
-                Ok(closed) => {
-                    point.closed = section.damping_coefficient(closed.largest_real_part());
-                    point.limitations = closed.warnings;
-                }
-                Err(limitation) => point.limitations = vec![limitation],
-            }
+            point.closed = Estimate::new(section, closed_form(section));
         }
-        if !self.methods.exact && !self.methods.companion {
+        if !self.methods.exact && !self.methods.companion && !self.methods.uniform {
             return;
         }
         let Ok(model) = Model::new(section) else {
             return;
         };
         let value = |(value, error)| Value { value, error };
+        if self.methods.uniform {
+            point.uniform = Estimate::new(section, uniform_form(&model));
+        }
         if self.methods.companion {
             let spectrum = companion::eigenvalues(&model).ok();
             point.companion = spectrum

@@ -1,6 +1,6 @@
 //! The equations of motion of a section, M q̈ + (C_s + C_a) q̇ + K q = 0, Eqs. (9), (10) and (12).
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Matrix3};
 use num_complex::Complex;
 
 use super::ball::Ball;
@@ -156,6 +156,24 @@ impl Model {
             .view_mut((n, n), (n, n))
             .copy_from(&(-&inverse * damping));
         matrix
+    }
+
+    /// M for three free coordinates, scaled.
+    pub(super) fn scaled_mass(&self) -> Matrix3<f64> {
+        Matrix3::from_fn(|i, j| self.mass[i][j].centre.re)
+    }
+
+    /// K for three free coordinates, scaled.
+    pub(super) fn scaled_stiffness(&self) -> Matrix3<f64> {
+        Matrix3::from_fn(|i, j| self.stiffness[i][j].centre.re)
+    }
+
+    /// C_s + C_a for three free coordinates, scaled.
+    pub(super) fn scaled_damping(&self) -> Matrix3<f64> {
+        let damping = |i: usize, j: usize| {
+            self.structural_damping[i][j].centre.re + self.aerodynamic_damping[i][j].centre.re
+        };
+        Matrix3::from_fn(damping)
     }
 
     /// M⁻¹, scaled: M = I + N with N³ = |N|² N has the inverse I + (N² − N)/(1 − |N|²), where |N|² is

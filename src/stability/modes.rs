@@ -1,5 +1,7 @@
 //! The modes of a section by its state matrix: the numerical standard.
 
+use num_complex::Complex;
+
 use super::eigenvalue::{Spectrum, best_spectrum};
 use super::enclosure::error_bounds;
 use super::error::StabilityError;
@@ -27,4 +29,19 @@ pub fn eigenvalues(model: &Model) -> Result<Spectrum, StabilityError> {
         bounds,
         model.frequency_unit,
     )
+}
+
+/// Bounds of the errors of approximations to the three eigenvalues with positive frequencies: the exact ones
+/// can be assigned one to one, none farther away than this. `None` where nothing is known.
+///
+/// As for [`eigenvalues`], by the characteristic polynomial about each of them: what a closed form leaves
+/// out is bounded for the section at hand, in 1/s.
+pub fn error_bounds_of(model: &Model, values: &[Complex<f64>; 3]) -> [Option<f64>; 3] {
+    let [a, b, c] = values.map(|value| value / model.frequency_unit);
+    let six = [a, b, c, a.conj(), b.conj(), c.conj()];
+    let bounds = error_bounds(&six, |point| model.taylor(point));
+    [0, 1, 2].map(|place| {
+        let bound = bounds.as_ref()?[place] * model.frequency_unit;
+        bound.is_finite().then_some(bound)
+    })
 }

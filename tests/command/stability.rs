@@ -59,7 +59,7 @@ fn a_case_is_written_in_every_format_and_drawn() {
     let json: Value = serde_json::from_str(&out).expect("JSON");
     let point = &json["points"][0];
     assert!(point["s3d"]["exact"]["value"].is_f64() && point["s3d"]["exact"]["error"].is_f64());
-    assert!(point["s3d"]["closed"].is_f64() && point["s3d"]["uniform"].is_null());
+    assert!(point["s3d"]["closed"].is_f64() && point["s3d"]["uniform"].is_f64());
     assert_eq!(point["modes"].as_array().map(Vec::len), Some(3));
     assert!(json["unstable"][0]["worst_deg"].is_f64());
     assert_eq!(json["methods"][1]["method"], "closed");
@@ -153,7 +153,7 @@ fn modes(section: &[&str], more: &[&str]) -> (Option<i32>, String, String) {
 fn all_methods_find_the_modes_without_wind() {
     let e = 0.004 / 0.0178_f64;
     let exact = [6.0 / (1.0 - e).sqrt(), 6.0, 6.0 / (1.0 + e).sqrt()];
-    for method in ["closed", "companion", "state"] {
+    for method in ["closed", "uniform", "companion", "state"] {
         let (status, out, err) = modes(&SECTION, &["--method", method, "--format", "json"]);
         assert_eq!((status, err.as_str()), (Some(0), ""), "{method}");
         let json: Value = serde_json::from_str(&out).expect("JSON");
@@ -169,7 +169,6 @@ fn all_methods_find_the_modes_without_wind() {
 #[test]
 fn what_modes_cannot_do_is_said() {
     for (section, more, message) in [
-        (&SECTION[..], &["--method", "uniform"][..], "not built yet"),
         (&SECTION[..], &["--method", "exact"][..], "not built yet"),
         (&SECTION[1..], &[], "the modes need m too"),
         (&SECTION[..], &["--set", "L_G=1"], "did you mean `L_g`?"),
@@ -220,7 +219,7 @@ fn the_scaled_damping_matrix_stands_for_coefficients() {
         "S_yt=0",
         "S_tt=0",
     ];
-    for method in ["closed", "companion", "state"] {
+    for method in ["closed", "uniform", "companion", "state"] {
         let of = |forces: &[&str]| -> Value {
             let section: Vec<&str> = section.iter().chain(forces).copied().collect();
             let (status, out, err) = modes(&section, &["--method", method, "--format", "json"]);

@@ -32,7 +32,7 @@ fn rows_are_those_of_stability_in_a_fixed_order() {
     let (_, curves, _) = run(&["stability", path(&case), "--format", "csv"]);
     assert_eq!(out.lines().count(), curves.lines().count());
     assert!(
-        out.starts_with("U,alpha_deg,s3d_exact,s3d_companion,s3d_closed,error_exact,"),
+        out.starts_with("U,alpha_deg,s3d_exact,s3d_companion,s3d_closed,s3d_uniform,error_exact,"),
         "{out}"
     );
     for (own, other) in out.lines().zip(curves.lines()).skip(1) {

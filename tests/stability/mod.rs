@@ -8,3 +8,4 @@ mod interpolation;
 mod oracle;
 mod sections;
 mod tracking;
+mod uniform_form;

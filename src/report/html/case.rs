@@ -134,6 +134,7 @@ fn methods(comparison: &Comparison) -> Vec<MethodView> {
         let (name, source) = match own.method {
             Method::Companion => ("companion matrix", "Eq. (19)"),
             Method::Closed => ("closed form", "Eqs. (21)–(23)"),
+            Method::Uniform => ("uniform form", "uniform.md"),
         };
         MethodView {
             name,

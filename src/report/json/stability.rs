@@ -106,12 +106,24 @@ fn at_angle(point: &Point) -> AtAngle<'_> {
         s3d: ByMethod {
             exact: bounded(point.exact),
             companion: point.companion.map(bounded),
-            closed: point.closed,
-            uniform: None,
+            closed: point.closed.value,
+            uniform: point.uniform.value,
         },
         modes: point.modes.iter().map(one_mode).collect(),
-        warnings: point.limitations.iter().map(ToString::to_string).collect(),
+        warnings: warnings(point),
     }
+}
+
+/// What speaks against the closed form, then against the uniform form, each once.
+fn warnings(point: &Point) -> Vec<String> {
+    let closed = &point.closed.limitations;
+    let uniform = point.uniform.limitations.iter();
+    let others = uniform.filter(|own| !closed.contains(own));
+    closed
+        .iter()
+        .chain(others)
+        .map(ToString::to_string)
+        .collect()
 }
 
 fn bounded(value: Value) -> Bounded {

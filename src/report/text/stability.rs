@@ -106,6 +106,7 @@ fn methods(page: &mut Page, comparison: &Comparison) {
         let source = match own.method {
             Method::Companion => "Eq. (19)",
             Method::Closed => "Eqs. (21)–(23)",
+            Method::Uniform => "derived in uniform.md",
         };
         let text = agreement(own, comparison.points.len());
         line(own.method.name(), format!("{source}: {text}"));
@@ -113,5 +114,4 @@ fn methods(page: &mut Page, comparison: &Comparison) {
             line("", format!("because {reason}"));
         }
     }
-    line("uniform", "not built yet".to_string());
 }

@@ -13,14 +13,17 @@ pub enum Method {
     Companion,
     /// The closed forms, Eqs. (21)–(23).
     Closed,
+    /// The uniform form, for every eccentricity.
+    Uniform,
 }
 
 impl Method {
-    /// The name in files: `companion`, `closed`.
+    /// The name in files: `companion`, `closed`, `uniform`.
     pub fn name(self) -> &'static str {
         match self {
             Method::Companion => "companion",
             Method::Closed => "closed",
+            Method::Uniform => "uniform",
         }
     }
 }
@@ -45,6 +48,11 @@ pub enum Reason {
     FirstOrder {
         /// The largest (δ|S_a|/e)² where they differ.
         second_order: f64,
+    },
+    /// The damping is not small beside the frequencies.
+    StrongDamping {
+        /// The largest |B|/(2ν) where they differ.
+        damping: f64,
     },
     /// The rounding of the coefficients moves the roots.
     IllConditioned {
@@ -80,6 +88,11 @@ impl fmt::Display for Reason {
                 "the closed form is of first order: what it leaves out is of the order of \
                  (δ|S_a| r/L_g)², up to {second_order:.2}"
             ),
+            Reason::StrongDamping { damping } => write!(
+                formatter,
+                "the damping is up to {damping:.2} of the lowest frequency: the uniform form leaves out what is of \
+                 the third order in it"
+            ),
             Reason::IllConditioned { error } => write!(
                 formatter,
                 "the companion matrix is ill-conditioned: rounding its coefficients moves S by up to {error:.0e}"
@@ -114,16 +127,20 @@ const NOTABLE: f64 = 0.01;
 /// Fewer certain digits than six, as a share of the largest |S|, are an ill-conditioned matrix.
 const ILL_CONDITIONED: f64 = 1e-6;
 
-/// How both other methods agree with the state matrix.
+/// How the other methods agree with the state matrix.
 pub(super) fn agreements(points: &[Point]) -> Vec<Agreement> {
+    // The rounding of a formula of a few operations.
+    let rounded = |value: f64| Value {
+        value,
+        error: 1e-12 * value.abs(),
+    };
     vec![
         agreement(points, Method::Companion, |point| point.companion),
         agreement(points, Method::Closed, |point| {
-            // The rounding of a formula of a few operations.
-            point.closed.map(|value| Value {
-                value,
-                error: 1e-12 * value.abs(),
-            })
+            point.closed.value.map(rounded)
+        }),
+        agreement(points, Method::Uniform, |point| {
+            point.uniform.value.map(rounded)
         }),
     ]
 }
@@ -166,6 +183,7 @@ fn agreement(
     let largest_error = largest(&errors).map(|(error, _)| error);
     let reasons = match method {
         Method::Closed => closed_reasons(&wrong),
+        Method::Uniform => uniform_reasons(&wrong),
         Method::Companion => {
             let ill = largest_error.filter(|error| *error > ILL_CONDITIONED * size);
             let none = (answers < points.len()).then_some(Reason::NoAnswer);
@@ -184,9 +202,28 @@ fn agreement(
     }
 }
 
+/// Why the uniform form is wrong at these points.
+fn uniform_reasons(wrong: &[&Point]) -> Vec<Reason> {
+    let all = || wrong.iter().flat_map(|point| &point.uniform.limitations);
+    let held = all()
+        .any(|own| *own == Limitation::NotAllFree)
+        .then_some(Reason::NotAllFree);
+    let none = all()
+        .any(|own| *own == Limitation::NoRoots)
+        .then_some(Reason::NoAnswer);
+    let strong = all().filter_map(|own| match own {
+        Limitation::StrongDamping { damping } => Some(*damping),
+        _ => None,
+    });
+    let strong = strong
+        .reduce(f64::max)
+        .map(|damping| Reason::StrongDamping { damping });
+    held.into_iter().chain(none).chain(strong).collect()
+}
+
 /// Why the closed form is wrong at these points.
 fn closed_reasons(wrong: &[&Point]) -> Vec<Reason> {
-    let all = || wrong.iter().flat_map(|point| &point.limitations);
+    let all = || wrong.iter().flat_map(|point| &point.closed.limitations);
     let mut reasons = Vec::new();
     if all().any(|own| *own == Limitation::NotAllFree) {
         reasons.push(Reason::NotAllFree);
@@ -209,7 +246,9 @@ fn closed_reasons(wrong: &[&Point]) -> Vec<Reason> {
         eccentricity,
         damping,
     }));
-    let unexplained = wrong.iter().filter(|point| point.limitations.is_empty());
+    let unexplained = wrong
+        .iter()
+        .filter(|point| point.closed.limitations.is_empty());
     let orders = unexplained.map(|point| point.second_order);
     let second_order = orders.reduce(f64::max);
     reasons.extend(second_order.map(|second_order| Reason::FirstOrder { second_order }));

@@ -1,6 +1,6 @@
 //! One angle, by every method.
 
-use crate::stability::closed_form::{Limitation, closed_form};
+use crate::stability::closed_form::{Estimate, closed_form};
 use crate::stability::companion;
 use crate::stability::coordinate::Coordinate;
 use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
@@ -9,6 +9,7 @@ use crate::stability::model::Model;
 use crate::stability::modes;
 use crate::stability::section::Section;
 use crate::stability::tracking::{Mode, follow};
+use crate::stability::uniform_form::uniform_form;
 
 /// A number and a bound of its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,10 +42,10 @@ pub struct Point {
     pub exact: Value,
     /// S by the companion matrix; `None` if it has no answer with a bounded error.
     pub companion: Option<Value>,
-    /// S by the closed forms, where they apply.
-    pub closed: Option<f64>,
-    /// What speaks against the closed forms.
-    pub limitations: Vec<Limitation>,
+    /// S by the closed forms (21)–(23).
+    pub closed: Estimate,
+    /// S by the uniform form.
+    pub uniform: Estimate,
     /// (δ|S_a|/e)², the order of what the closed forms leave out.
     pub second_order: f64,
     /// The modes in the order of their numbers.
@@ -66,8 +67,8 @@ pub(in crate::stability) struct Answers {
     model: Model,
     exact: Value,
     companion: Option<Value>,
-    closed: Option<f64>,
-    limitations: Vec<Limitation>,
+    closed: Estimate,
+    uniform: Estimate,
     second_order: f64,
     modes: Vec<(Mode, Value)>,
 }
@@ -83,19 +84,14 @@ impl Answers {
         // Without wind there is no S; that is refused before.
         let exact = value(&spectrum).ok_or(StabilityError::OutOfRange)?;
         let companion = companion::eigenvalues(&model).ok();
-        let (closed, limitations) = match closed_form(section) {
-            Ok(closed) => {
-                let part = section.damping_coefficient(closed.largest_real_part());
-                (part, closed.warnings)
-            }
-            Err(limitation) => (None, vec![limitation]),
-        };
+        let closed = Estimate::new(section, closed_form(section));
+        let uniform = Estimate::new(section, uniform_form(&model));
         let ratio = section.relative_aerodynamic_damping() / section.eccentricity();
         Ok(Answers {
             exact,
             companion: companion.as_ref().and_then(value),
             closed,
-            limitations,
+            uniform,
             second_order: ratio * ratio,
             modes: modes_of(&model, &spectrum),
             model,
@@ -110,7 +106,7 @@ impl Answers {
             exact: self.exact,
             companion: self.companion,
             closed: self.closed,
-            limitations: self.limitations,
+            uniform: self.uniform,
             second_order: self.second_order,
         }
     }

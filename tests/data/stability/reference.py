@@ -21,6 +21,7 @@ VARIANTS = {
     "tuned, no eccentricity": ("tuned", [("section", "L_g", 0.0)]),
     "tuned, strong wind": ("tuned", [("wind", "U", 90.0)]),
     "tuned, wind turned": ("tuned", [("sweep", "turn", "wind"), ("section", "alpha_g_deg", 20.0)]),
+    "light": ("light", []),
     "detuned": ("detuned", []),
     "detuned, no eccentricity": ("detuned", [("section", "L_g", 0.0)]),
     "detuned, no damping": (

@@ -1,0 +1,74 @@
+//! The roots of a cubic with complex coefficients.
+
+use nalgebra::{Matrix3, Schur};
+use num_complex::Complex;
+
+/// The most iterations of the decomposition.
+const MOST_ITERATIONS: usize = 200;
+
+/// The three z with z³ + c_1 z² + c_2 z + c_3 = 0, multiple ones repeated, as eigenvalues of the companion
+/// matrix of the cubic for z over its size. `None` for coefficients that are not finite, or if the
+/// decomposition does not converge.
+pub(super) fn roots(coefficients: [Complex<f64>; 3]) -> Option<[Complex<f64>; 3]> {
+    let [c_1, c_2, c_3] = coefficients;
+    // No root is larger than twice this.
+    let size = c_1.norm().max(c_2.norm().sqrt()).max(c_3.norm().cbrt());
+    if size == 0.0 {
+        return Some([Complex::ZERO; 3]);
+    }
+    // A power of 2 rounds nothing.
+    let unit = size.log2().floor().exp2();
+    if !(unit * unit * unit).is_normal() {
+        return None;
+    }
+    let (one, zero) = (Complex::ONE, Complex::ZERO);
+    let companion = Matrix3::new(
+        -c_1 / unit,
+        -c_2 / (unit * unit),
+        -c_3 / (unit * unit * unit),
+        one,
+        zero,
+        zero,
+        zero,
+        one,
+        zero,
+    );
+    let schur = Schur::try_new(companion, f64::EPSILON, MOST_ITERATIONS)?;
+    let (_, triangle) = schur.unpack();
+    let roots = [0, 1, 2].map(|place| triangle[(place, place)] * unit);
+    roots.iter().all(|root| root.is_finite()).then_some(roots)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn complex() -> impl Strategy<Value = Complex<f64>> {
+        let part = prop_oneof![-1.0..1.0f64, -1e-9..1e-9f64, Just(0.0)];
+        (part.clone(), part).prop_map(|(re, im)| Complex::new(re, im))
+    }
+
+    proptest! {
+        #[test]
+        fn roots_give_the_cubic(a in complex(), b in complex(), c in complex(), scale in -40..40) {
+            let scale = f64::powi(2.0, scale);
+            let [a, b, c] = [a, b, c].map(|root| root * scale);
+            let of = |[a, b, c]: [Complex<f64>; 3]| [-(a + b + c), a * b + b * c + c * a, -a * b * c];
+            let found = of(roots(of([a, b, c])).expect("roots"));
+            let size = a.norm().max(b.norm()).max(c.norm());
+            for (power, (own, found)) in of([a, b, c]).iter().zip(found).enumerate() {
+                prop_assert!((own - found).norm() <= 1e-13 * size.powi(power as i32 + 1));
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_not_finite_has_no_roots() {
+        let nan = Complex::new(f64::NAN, 0.0);
+        assert_eq!(roots([nan, Complex::ONE, Complex::ONE]), None);
+        assert_eq!(roots([Complex::ONE, nan, Complex::ONE]), None);
+        let infinite = Complex::new(0.0, f64::INFINITY);
+        assert_eq!(roots([Complex::ONE, Complex::ONE, infinite]), None);
+    }
+}
