@@ -3,10 +3,10 @@
 use std::fmt::Write;
 
 use crate::stability::closed_form::Limitation;
-use crate::stability::comparison::{Comparison, Value};
+use crate::stability::comparison::{Comparison, Value, angle};
 use crate::stability::grid::{Grid, GridPoint};
 
-use super::stability::{angle, certain, decimal};
+use super::stability::{certain, decimal};
 
 /// A row an angle: S by every method, bounds of the errors, the mode with the least damping, and S and the
 /// frequency in Hz of every mode. An empty cell is a method that does not apply.

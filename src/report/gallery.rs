@@ -2,13 +2,12 @@
 
 use crate::stability::case::Case;
 use crate::stability::coefficient_table::CoefficientTable;
-use crate::stability::comparison::{Comparison, FollowedMode, compare};
+use crate::stability::comparison::{Comparison, FollowedMode, angle, compare};
 use crate::stability::input::{InputError, Place};
 use crate::stability::interpolation::CoefficientCurves;
 use crate::stability::offset::{OffsetPoint, against_offset};
 
 use super::figure::{Curve, Figure, Stroke};
-use super::stability::angle;
 use super::{stability_figure, trajectory};
 
 /// A figure and the name of its file, without an extension.

@@ -1,7 +1,7 @@
 //! A comparison of methods in words and numbers, said once for every view.
 
 use crate::stability::comparison::{
-    Agreement, AngleRange, Comparison, FollowedMode, Point, Reason, Value,
+    Agreement, Comparison, FollowedMode, Point, Reason, Value, angle, listed,
 };
 
 /// The most decimals of a damping coefficient; the sines of another machine may change later ones.
@@ -26,31 +26,6 @@ pub fn decimal(value: f64, decimals: usize) -> String {
         Some(positive) if is_zero => positive.to_string(),
         _ => text,
     }
-}
-
-/// An angle of a sweep, without the rounding of its steps.
-pub fn angle(degrees: f64) -> f64 {
-    (degrees * 1e9).round() / 1e9
-}
-
-/// `at 10°`, `10° to 25°`.
-pub fn range(range: AngleRange) -> String {
-    let (from, to) = (angle(range.from), angle(range.to));
-    if from == to {
-        format!("at {from}°")
-    } else {
-        format!("{from}° to {to}°")
-    }
-}
-
-/// Ranges, the first five of them.
-pub fn ranges(all: &[AngleRange]) -> String {
-    let shown: Vec<String> = all.iter().take(5).map(|own| range(*own)).collect();
-    let rest = match all.len() {
-        0..=5 => String::new(),
-        more => format!(" and {} more", more - 5),
-    };
-    shown.join(", ") + &rest
 }
 
 /// What a case is, in one line.
@@ -110,7 +85,7 @@ pub fn agreement(own: &Agreement, angles: usize) -> String {
             None => format!("agrees, within {difference:.0e}"),
         }
     } else {
-        let differs = ranges(&own.differs);
+        let differs = listed(&own.differs);
         format!(
             "differs by up to {difference:.2} (at {}°): {differs}",
             angle(place)
@@ -119,7 +94,7 @@ pub fn agreement(own: &Agreement, angles: usize) -> String {
     if !own.opposite.is_empty() {
         text += &format!(
             "; calls stable what is not, or the reverse: {}",
-            ranges(&own.opposite)
+            listed(&own.opposite)
         );
     }
     if own.answers < angles {

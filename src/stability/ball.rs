@@ -40,6 +40,14 @@ impl Ball {
         }
     }
 
+    /// The conjugates of what it holds.
+    pub fn conjugate(self) -> Self {
+        Ball {
+            centre: self.centre.conj(),
+            ..self
+        }
+    }
+
     /// No number of the ball is larger.
     pub fn largest(self) -> f64 {
         (self.centre.norm() + self.radius) * ABOVE

@@ -68,10 +68,10 @@ pub fn companion_matrix(polynomial: &Polynomial<f64>) -> DMatrix<f64> {
 fn coefficients(model: &Model) -> [Ball; 7] {
     let p = model.section().parameters();
     let Forces::Coefficients(c) = p.forces else {
-        return model.taylor(Complex::new(0.0, 0.0));
+        return model.taylor(Ball::ZERO);
     };
     if !p.free.are_all() {
-        return model.taylor(Complex::new(0.0, 0.0));
+        return model.taylor(Ball::ZERO);
     }
     let unit = model.frequency_unit;
     let [omega_x, omega_y, omega_theta] = p.natural_frequencies.map(|omega| omega / unit);

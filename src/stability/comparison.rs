@@ -7,7 +7,7 @@ mod range;
 pub use agreement::{Agreement, Method, Reason};
 pub(super) use point::Answers;
 pub use point::{FollowedMode, Point, Value};
-pub use range::{AngleRange, UnstableRange};
+pub use range::{AngleRange, UnstableRange, angle, listed};
 
 use rayon::prelude::*;
 
@@ -82,6 +82,7 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
         }
     }
     let mut remarks = remarks(table);
+    remarks.extend(weakened(case, &points));
     let corners = curves.corners(&angles);
     if corners > 0 {
         remarks.push(Remark {
@@ -101,6 +102,38 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
         points,
         remarks,
     })
+}
+
+/// Where structural damping does harm, a remark for each coordinate.
+fn weakened<'a>(case: &'a Case, points: &'a [Point]) -> impl Iterator<Item = Remark> + 'a {
+    let remark = move |&coordinate: &Coordinate| {
+        let slope = |point: &Point| {
+            let mut found = point.weakened_by.iter();
+            found
+                .find(|(own, _)| *own == coordinate)
+                .map(|(_, slope)| *slope)
+        };
+        let slopes = points
+            .iter()
+            .filter_map(|point| Some((slope(point)?, point.angle)));
+        let (steepest, place) =
+            slopes.reduce(|one, other| if other.0 < one.0 { other } else { one })?;
+        let ranges = range::ranges(points, |point| slope(point).is_some());
+        let change = match -steepest / 100.0 {
+            change if change < 0.01 => "less than 0.01".to_string(),
+            change => format!("up to {change:.2}"),
+        };
+        Some(Remark {
+            place: Place::file(&case.file),
+            what: format!(
+                "more structural damping of {0} would lower S, by {change} for each 1 % of zeta_{0} (at {1}°): {2}",
+                coordinate.name(),
+                angle(place),
+                listed(&ranges)
+            ),
+        })
+    };
+    case.parameters.free.as_slice().iter().filter_map(remark)
 }
 
 impl Comparison {

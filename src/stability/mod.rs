@@ -26,6 +26,7 @@ pub mod offset;
 pub mod quantities;
 mod schur;
 pub mod section;
+pub mod sensitivity;
 mod shape;
 pub mod spline;
 pub mod table_remarks;

@@ -1,9 +1,9 @@
 //! The equations of motion of a section, M q̈ + (C_s + C_a) q̇ + K q = 0, Eqs. (9), (10) and (12).
 
 use nalgebra::{DMatrix, Matrix3};
-use num_complex::Complex;
 
 use super::ball::Ball;
+use super::coordinate::Coordinate;
 use super::error::StabilityError;
 use super::section::Section;
 
@@ -76,7 +76,7 @@ impl Model {
             section: *section,
             frequency_unit: unit,
             mass: matrix(&|i, j| mass[i][j]),
-            structural_damping: matrix(&|i, j| diagonal(i, j, two * ratio(i) * omega[i])),
+            structural_damping: matrix(&|i, j| diagonal(i, j, two * omega[i] * ratio(i))),
             aerodynamic_damping: matrix(&|i, j| delta * s_a[i][j]),
             stiffness: matrix(&|i, j| diagonal(i, j, omega[i] * omega[i])),
         };
@@ -189,8 +189,7 @@ impl Model {
 
     /// c²M + cC + K, 2cM + C and M: the coefficients of B(c + μ) in powers of μ, where
     /// B(λ) = λ²M + λC + K, scaled. For coordinates that are held it is the unit matrix.
-    pub(super) fn dynamic_stiffness(&self, point: Complex<f64>) -> [[Quadratic; 3]; 3] {
-        let c = Ball::exact(point);
+    pub(super) fn dynamic_stiffness(&self, c: Ball) -> [[Quadratic; 3]; 3] {
         let entry = |i: usize, j: usize| {
             if i.max(j) >= self.freedom() {
                 let unit = if i == j { Ball::ONE } else { Ball::ZERO };
@@ -205,14 +204,20 @@ impl Model {
     }
 
     /// det B(c + μ) in powers of μ, scaled, that of μ⁰ first; beyond 2n they are 0.
-    pub(super) fn taylor(&self, point: Complex<f64>) -> [Ball; 7] {
-        determinant(&self.dynamic_stiffness(point))
+    pub(super) fn taylor(&self, c: Ball) -> [Ball; 7] {
+        determinant(&self.dynamic_stiffness(c))
+    }
+
+    /// 2ω, by which a damping ratio enters the scaled damping of its coordinate.
+    pub(super) fn structural_damping_rate(&self, coordinate: Coordinate) -> Ball {
+        let omega = self.section.parameters().natural_frequencies[coordinate.index()];
+        Ball::real(2.0, 0.0) * rounded(omega / self.frequency_unit)
     }
 
     /// The length that turns coordinate `index` of the free ones into a length: r for θ, else 1.
     pub(super) fn length(&self, index: usize) -> f64 {
         match self.section.free()[index] {
-            super::coordinate::Coordinate::Theta => self.section.parameters().radius_of_gyration,
+            Coordinate::Theta => self.section.parameters().radius_of_gyration,
             _ => 1.0,
         }
     }

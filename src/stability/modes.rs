@@ -2,6 +2,7 @@
 
 use num_complex::Complex;
 
+use super::ball::Ball;
 use super::eigenvalue::{Spectrum, best_spectrum};
 use super::enclosure::error_bounds;
 use super::error::StabilityError;
@@ -22,7 +23,7 @@ use super::schur::approximate_eigenvalues;
 ///
 /// [`StabilityError::NoEigenvalues`] if nothing converged or no error could be bounded.
 pub fn eigenvalues(model: &Model) -> Result<Spectrum, StabilityError> {
-    let bounds = |values: &[_]| error_bounds(values, |point| model.taylor(point));
+    let bounds = |values: &[_]| error_bounds(values, |point| model.taylor(Ball::exact(point)));
     let matrix = model.scaled_state_matrix();
     best_spectrum(
         approximate_eigenvalues(&matrix),
@@ -39,7 +40,7 @@ pub fn eigenvalues(model: &Model) -> Result<Spectrum, StabilityError> {
 pub fn error_bounds_of(model: &Model, values: &[Complex<f64>; 3]) -> [Option<f64>; 3] {
     let [a, b, c] = values.map(|value| value / model.frequency_unit);
     let six = [a, b, c, a.conj(), b.conj(), c.conj()];
-    let bounds = error_bounds(&six, |point| model.taylor(point));
+    let bounds = error_bounds(&six, |point| model.taylor(Ball::exact(point)));
     [0, 1, 2].map(|place| {
         let bound = bounds.as_ref()?[place] * model.frequency_unit;
         bound.is_finite().then_some(bound)

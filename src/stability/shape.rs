@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, SVD};
 use num_complex::Complex;
 
+use super::ball::Ball;
 use super::model::Model;
 
 /// A vector q with (λ²M + λC + K) q = 0: the shape of the motion of an eigenvalue λ, in x, y and rθ, its
@@ -16,7 +17,7 @@ pub(super) fn mode_shape(
     value: Complex<f64>,
     place: Option<usize>,
 ) -> Option<Vec<Complex<f64>>> {
-    let entries = model.dynamic_stiffness(value / model.frequency_unit);
+    let entries = model.dynamic_stiffness(Ball::exact(value / model.frequency_unit));
     let matrix = entries.map(|row| row.map(|entry| entry[0].centre));
     let alone = || with_largest_one(&column_of_adjugate(&matrix)[..model.freedom()]);
     match place {

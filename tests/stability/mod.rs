@@ -7,5 +7,6 @@ mod eigenvalues;
 mod interpolation;
 mod oracle;
 mod sections;
+mod sensitivity;
 mod tracking;
 mod uniform_form;

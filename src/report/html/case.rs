@@ -3,11 +3,9 @@
 use serde::Serialize;
 
 use super::{CaseFiles, escape};
-use crate::report::stability::{
-    agreement, angle, certain, decimal, largest_error, mode, range, ranges, reasons, title,
-};
+use crate::report::stability::{agreement, certain, decimal, largest_error, mode, reasons, title};
 use crate::report::stability_figure;
-use crate::stability::comparison::{Comparison, Method, UnstableRange};
+use crate::stability::comparison::{Comparison, Method, UnstableRange, angle, listed};
 
 /// What the template is given of a case.
 #[derive(Serialize)]
@@ -55,7 +53,7 @@ impl CaseView {
     /// If its curves cannot be drawn.
     pub fn new(case: &CaseFiles) -> Result<Self, String> {
         let comparison = &case.comparison;
-        let undecided = ranges(&comparison.undecided);
+        let undecided = listed(&comparison.undecided);
         let [file, table] = &case.files;
         Ok(CaseView {
             name: stability_figure::name(&comparison.case).to_owned(),
@@ -113,7 +111,7 @@ fn conclusion(comparison: &Comparison) -> String {
 fn unstable(own: &UnstableRange) -> UnstableView {
     let mode_of = own.mode.as_ref();
     UnstableView {
-        angles: range(own.angles),
+        angles: own.angles.to_string(),
         worst: format!("{}°", angle(own.worst)),
         damping: certain(own.damping),
         frequency: mode_of.map_or(String::new(), |mode| format!("{:.4} Hz", mode.frequency)),

@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
-use crate::report::stability::{angle, reasons};
+use crate::report::stability::reasons;
 use crate::stability::comparison::{
-    Agreement, AngleRange, Comparison, FollowedMode, Point, UnstableRange, Value,
+    Agreement, AngleRange, Comparison, FollowedMode, Point, UnstableRange, Value, angle,
 };
 use crate::stability::input::Remark;
 

@@ -1,9 +1,7 @@
 //! Where a section gallops, and how the methods agree, for a terminal.
 
-use crate::report::stability::{
-    agreement, angle, decimal, largest_error, mode, power, range, ranges, reasons, title,
-};
-use crate::stability::comparison::{Comparison, Method};
+use crate::report::stability::{agreement, decimal, largest_error, mode, power, reasons, title};
+use crate::stability::comparison::{Comparison, Method, angle, listed};
 
 use super::page::Page;
 use super::palette::{FAINT, PLAIN, STRONG};
@@ -58,7 +56,7 @@ fn unstable(page: &mut Page, comparison: &Comparison) {
             row(
                 page,
                 [
-                    &range(own.angles),
+                    &own.angles.to_string(),
                     &format!("{}°", angle(own.worst)),
                     &decimal(own.damping.value, 4),
                     &mode_of.map_or(String::new(), |mode| format!("{:.4} Hz", mode.frequency)),
@@ -69,7 +67,7 @@ fn unstable(page: &mut Page, comparison: &Comparison) {
         }
     }
     if !comparison.undecided.is_empty() {
-        let undecided = ranges(&comparison.undecided);
+        let undecided = listed(&comparison.undecided);
         let text = format!("Not decided, {name} being smaller than its error: {undecided}");
         page.prose(&[], &[Run::words(text, PLAIN)]);
     }

@@ -8,6 +8,7 @@ use crate::stability::error::StabilityError;
 use crate::stability::model::Model;
 use crate::stability::modes;
 use crate::stability::section::Section;
+use crate::stability::sensitivity::weakened_by;
 use crate::stability::tracking::{Mode, follow};
 use crate::stability::uniform_form::uniform_form;
 
@@ -46,6 +47,8 @@ pub struct Point {
     pub closed: Estimate,
     /// S by the uniform form.
     pub uniform: Estimate,
+    /// The coordinates whose structural damping lowers S as it grows, with ∂S/∂ζ.
+    pub weakened_by: Vec<(Coordinate, f64)>,
     /// (δ|S_a|/e)², the order of what the closed forms leave out.
     pub second_order: f64,
     /// The modes in the order of their numbers.
@@ -69,6 +72,7 @@ pub(in crate::stability) struct Answers {
     companion: Option<Value>,
     closed: Estimate,
     uniform: Estimate,
+    weakened_by: Vec<(Coordinate, f64)>,
     second_order: f64,
     modes: Vec<(Mode, Value)>,
 }
@@ -92,6 +96,7 @@ impl Answers {
             companion: companion.as_ref().and_then(value),
             closed,
             uniform,
+            weakened_by: weakened_by(&model, &spectrum),
             second_order: ratio * ratio,
             modes: modes_of(&model, &spectrum),
             model,
@@ -107,6 +112,7 @@ impl Answers {
             companion: self.companion,
             closed: self.closed,
             uniform: self.uniform,
+            weakened_by: self.weakened_by,
             second_order: self.second_order,
         }
     }

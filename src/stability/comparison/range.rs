@@ -1,5 +1,7 @@
 //! Angles in a row that have something in common.
 
+use std::fmt;
+
 use super::point::{FollowedMode, Point, Value};
 
 /// From one angle of a sweep to another, both included, in degrees.
@@ -9,6 +11,32 @@ pub struct AngleRange {
     pub from: f64,
     /// The last angle.
     pub to: f64,
+}
+
+impl fmt::Display for AngleRange {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (from, to) = (angle(self.from), angle(self.to));
+        if from == to {
+            write!(formatter, "at {from}°")
+        } else {
+            write!(formatter, "{from}° to {to}°")
+        }
+    }
+}
+
+/// An angle of a sweep, without the rounding of its steps.
+pub fn angle(degrees: f64) -> f64 {
+    (degrees * 1e9).round() / 1e9
+}
+
+/// Ranges in words, the first five of them: `at 10°, 20° to 25°`.
+pub fn listed(ranges: &[AngleRange]) -> String {
+    let shown: Vec<String> = ranges.iter().take(5).map(ToString::to_string).collect();
+    let rest = match ranges.len() {
+        0..=5 => String::new(),
+        more => format!(" and {} more", more - 5),
+    };
+    shown.join(", ") + &rest
 }
 
 /// Where a section gallops.
