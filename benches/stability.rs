@@ -12,18 +12,19 @@ use std::io::Write as _;
 use nalgebra::Schur;
 use rayon::prelude::*;
 use sextic::report::csv::{comparison, grid_row};
+use sextic::stability::axis::Axis;
 use sextic::stability::case::Case;
 use sextic::stability::closed_form::closed_form;
 use sextic::stability::coefficient_table::CoefficientTable;
 use sextic::stability::comparison::compare as compare_methods;
-use sextic::stability::grid::{Axis, Grid, Methods, Rows};
+use sextic::stability::grid::{Grid, Methods, Rows};
 use sextic::stability::interpolation::CoefficientCurves;
 use sextic::stability::model::Model;
 use sextic::stability::section::Section;
 use sextic::stability::tracking::Mode;
 use sextic::stability::uniform_form::uniform_form;
 use sextic::stability::variable::Variable;
-use sextic::stability::{companion, modes};
+use sextic::stability::{companion, state_matrix};
 use side_by_side::{Contender, compare};
 
 /// From one angle to the next in degrees: 3,600 of them on half a circle.
@@ -41,7 +42,7 @@ fn main() {
             .replace("step = 0.5", STEP)
             .replace("to = 180", "to = 179.95");
         let case = Case::read(name, &text).unwrap();
-        assert_eq!(case.sweep.angles().len(), 3600);
+        assert_eq!(case.angles.values().len(), 3600);
         all_methods(&case, &table);
     }
     sweep(
@@ -52,7 +53,7 @@ fn main() {
 
 /// Everything that `sextic stability` computes, and its parts.
 fn all_methods(case: &Case, table: &CoefficientTable) {
-    let angles = case.sweep.angles();
+    let angles = case.angles.values();
     let curves = CoefficientCurves::new(table, case.interpolation);
     let section = |angle: &f64| case.section(*angle, curves.at(*angle).unwrap()).unwrap();
     let sections: Vec<Section> = angles.iter().map(section).collect();
@@ -62,7 +63,7 @@ fn all_methods(case: &Case, table: &CoefficientTable) {
         .collect();
     let spectra: Vec<_> = models
         .iter()
-        .map(|model| modes::eigenvalues(model).unwrap())
+        .map(|model| state_matrix::eigenvalues(model).unwrap())
         .collect();
     let matrices: Vec<_> = models.iter().map(Model::state_matrix).collect();
     let count = angles.len();
@@ -86,7 +87,7 @@ fn all_methods(case: &Case, table: &CoefficientTable) {
             }),
             Contender::new("state matrix with bounds", count, || {
                 for model in &models {
-                    black_box(modes::eigenvalues(model).unwrap());
+                    black_box(state_matrix::eigenvalues(model).unwrap());
                 }
             }),
             Contender::new("companion matrix with bounds", count, || {

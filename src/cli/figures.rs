@@ -7,9 +7,9 @@ use clap::Args;
 use crate::report::gallery;
 
 use super::Outcome;
-use super::file::{reason, write_text};
-use super::output::{finish, wrong};
-use super::stability::{case_and_table, refuse};
+use super::case::{case_and_table, refuse};
+use super::file::write_text;
+use super::output::{finish, reason, wrong};
 
 /// Draws the paper's kinds of figures for a case, as SVG
 ///

@@ -1,12 +1,12 @@
 //! One file: read as text within a limit, and written whole or not at all.
 
 use std::fs;
-use std::io::{self, ErrorKind, Read};
+use std::io::{self, Read};
 use std::path::Path;
 
 use super::Outcome;
 use super::folder::stage;
-use super::output::wrong;
+use super::output::{reason, wrong};
 
 /// Larger files are no case and no table.
 const LARGEST: u64 = 64 << 20;
@@ -47,14 +47,4 @@ pub fn write_text(path: &Path, text: &str) -> io::Result<()> {
     let file = stage(folder, text)?;
     file.persist(&path).map_err(|error| error.error)?;
     Ok(())
-}
-
-/// Why a file cannot be read or written, in a few words.
-pub fn reason(error: &io::Error) -> String {
-    match error.kind() {
-        ErrorKind::NotFound => "there is no such file or folder".to_owned(),
-        ErrorKind::IsADirectory => "it is a folder".to_owned(),
-        ErrorKind::PermissionDenied => "permission denied".to_owned(),
-        _ => error.to_string(),
-    }
 }

@@ -172,6 +172,14 @@ fn forget_interrupted(folder: &Path) {
 ///
 /// If the folder cannot be written to, or the disk is full.
 pub fn stage(folder: &Path, text: &str) -> io::Result<NamedTempFile> {
+    let mut file = staged(folder)?;
+    file.write_all(text.as_bytes())?;
+    file.as_file().sync_all()?;
+    Ok(file)
+}
+
+/// An empty file in a folder that has not got its own name yet.
+pub fn staged(folder: &Path) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(STAGED);
     #[cfg(unix)]
@@ -180,10 +188,7 @@ pub fn stage(folder: &Path, text: &str) -> io::Result<NamedTempFile> {
         // As any other file, rather than for the user alone.
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
-    let mut file = builder.tempfile_in(folder)?;
-    file.write_all(text.as_bytes())?;
-    file.as_file().sync_all()?;
-    Ok(file)
+    builder.tempfile_in(folder)
 }
 
 fn is_generated(path: &Path) -> io::Result<bool> {

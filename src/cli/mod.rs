@@ -1,6 +1,8 @@
 //! The command line: one file a subcommand; nothing else reads or writes files.
 
 mod audit;
+#[cfg(feature = "stability")]
+mod case;
 mod evaluate;
 #[cfg(feature = "stability")]
 mod figures;

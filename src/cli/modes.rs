@@ -3,19 +3,20 @@
 use std::collections::BTreeMap;
 
 use clap::{Args, ValueEnum};
+use num_complex::Complex;
 use sextic_codegen::language::literal::Decimal;
 
 use crate::compile::fixed::Fixed;
 use crate::report::modes::ModesFound;
 use crate::report::{json, text};
 use crate::stability::closed_form::{ClosedForm, Limitation, closed_form};
-use crate::stability::eigenvalue::Spectrum;
+use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
 use crate::stability::error::StabilityError;
 use crate::stability::model::Model;
 use crate::stability::quantities::{names, needed, parameters};
 use crate::stability::section::Section;
 use crate::stability::uniform_form::uniform_form;
-use crate::stability::{companion, modes};
+use crate::stability::{companion, state_matrix};
 
 use super::Outcome;
 use super::generate::{fixed, unknown};
@@ -49,8 +50,6 @@ enum Method {
     Closed,
     /// By a form that holds at every eccentricity, to second order in the damping
     Uniform,
-    /// All six with a certain error, without an eigenvalue routine: not built yet
-    Exact,
     /// By the companion matrix of the characteristic polynomial (19)
     Companion,
     /// By the state matrix (16)
@@ -85,12 +84,6 @@ pub fn run(arguments: &Arguments) -> Outcome {
 }
 
 fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
-    if arguments.method == Method::Exact {
-        return Err(wrong(
-            "this method is not built yet",
-            "there are --method state, companion, uniform and closed",
-        ));
-    }
     let values = values(&arguments.set)?;
     let needed = needed(&values, arguments.method != Method::Closed);
     let missing: Vec<&str> = needed
@@ -112,7 +105,7 @@ fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
         Method::Companion => by_spectrum("companion", companion::eigenvalues(&model), &section),
         Method::Closed => Ok(by_form("closed", closed_form(&section), &model)?),
         Method::Uniform => Ok(by_form("uniform", uniform_form(&model), &model)?),
-        _ => by_spectrum("state", modes::eigenvalues(&model), &section),
+        _ => by_spectrum("state", state_matrix::eigenvalues(&model), &section),
     }
     .map_err(refuse)?;
     let unused = values
@@ -138,15 +131,32 @@ fn by_form(
             "`--method state` applies to every section",
         )
     })?;
-    let errors = modes::error_bounds_of(model, &form.eigenvalues);
-    let pairs = form.eigenvalues.iter().zip(errors);
-    let damping = model
-        .section()
-        .damping_coefficient(form.largest_real_part());
+    let errors = state_matrix::error_bounds_of(model, &form.eigenvalues);
+    let pairs: Vec<_> = form.eigenvalues.into_iter().zip(errors).collect();
+    let bounded = |&(value, error): &(Complex<f64>, Option<f64>)| {
+        Some(Eigenvalue {
+            value,
+            error: error?,
+        })
+    };
+    let bounded: Option<Vec<Eigenvalue>> = pairs.iter().map(bounded).collect();
+    // What is left out may be so much that nothing is known.
+    let damping = match bounded {
+        Some(eigenvalues) => {
+            let damping = Spectrum { eigenvalues }.damping_coefficient(model.section());
+            damping.map(|(damping, error)| (damping, Some(error)))
+        }
+        None => {
+            let damping = model
+                .section()
+                .damping_coefficient(form.largest_real_part());
+            damping.map(|damping| (damping, None))
+        }
+    };
     Ok(ModesFound {
         method,
-        eigenvalues: pairs.map(|(value, error)| (*value, error)).collect(),
-        damping_coefficient: damping.map(|damping| (damping, None)),
+        eigenvalues: pairs,
+        damping_coefficient: damping,
         warnings: form.warnings.iter().map(ToString::to_string).collect(),
     })
 }

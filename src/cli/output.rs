@@ -55,8 +55,8 @@ pub fn finish(text: &str, outcome: Outcome) -> Outcome {
     match stream(text) {
         Ok(_) => outcome,
         Err(error) => {
-            complain(&format!("standard output cannot be written: {error}\n"));
-            outcome.max(Outcome::Differs)
+            let what = format!("standard output cannot be written: {}", reason(&error));
+            outcome.max(wrong(&what, "let it go where there is room"))
         }
     }
 }
@@ -107,4 +107,14 @@ pub fn width(asked: Option<u16>) -> usize {
     };
     let asked = asked.map(usize::from);
     asked.or_else(terminal).unwrap_or(USUAL_WIDTH)
+}
+
+/// Why a file cannot be read or written, in a few words.
+pub fn reason(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "there is no such file or folder".to_owned(),
+        io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
+        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
+        _ => error.to_string(),
+    }
 }

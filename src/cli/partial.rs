@@ -4,6 +4,8 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
+use super::folder::staged;
+
 /// Rows on their way to a file.
 ///
 /// They stand in a file beside it, whose name holds what tells the computation: `sweep.csv.1f0a….part`.
@@ -19,24 +21,39 @@ pub struct Partial {
 /// No row has so many bytes.
 const LONGEST: u64 = 1 << 16;
 
-/// Rows that were there already.
+/// What an earlier run left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Left {
+    /// No rows.
+    Nothing,
+    /// So many rows, to go on from.
+    Rows(u64),
+    /// So many rows that are not those of this program.
+    Useless(u64),
+}
+
+/// Rows that are whole.
 #[derive(Debug)]
-pub struct Found {
-    /// How many rows are whole, without the heading.
-    pub rows: u64,
+struct Found {
+    /// How many, without the heading.
+    rows: u64,
     /// The last one of them.
-    pub last: String,
+    last: String,
 }
 
 impl Partial {
-    /// Rows for a file, with those that an earlier run left; `identity` tells its computation from others.
-    ///
-    /// A heading other than this means that what is there is of no use.
+    /// Rows for a file, and what an earlier run left of them; `identity` tells its computation from others.
+    /// The last row that is there must be the one that is to stand there, or all begins anew.
     ///
     /// # Errors
     ///
     /// If the folder cannot be written to, or another process is at it.
-    pub fn open(target: &Path, identity: &str, heading: &str) -> io::Result<(Self, Option<Found>)> {
+    pub fn open(
+        target: &Path,
+        identity: &str,
+        heading: &str,
+        row: impl Fn(u64) -> Option<String>,
+    ) -> io::Result<(Self, Left)> {
         let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
         if fs::metadata(&target).is_ok_and(|known| !known.is_file()) {
             let file = OpenOptions::new().write(true).open(&target)?;
@@ -46,7 +63,7 @@ impl Partial {
                 target,
             };
             partial.write(heading)?;
-            return Ok((partial, None));
+            return Ok((partial, Left::Nothing));
         }
         let path = beside(&target, identity)?;
         let options = OpenOptions::new()
@@ -68,11 +85,19 @@ impl Partial {
             path: Some(path),
             target,
         };
-        let found = partial.whole_rows(heading)?;
-        if found.is_none() {
-            partial.begin(heading)?;
+        let left = match partial.whole_rows(heading)? {
+            Some(found) if row(found.rows - 1).as_ref() == Some(&found.last) => {
+                Left::Rows(found.rows)
+            }
+            Some(found) => Left::Useless(found.rows),
+            None => Left::Nothing,
+        };
+        if !matches!(left, Left::Rows(_)) {
+            partial.file.set_len(0)?;
+            partial.file.rewind()?;
+            partial.write(heading)?;
         }
-        Ok((partial, found))
+        Ok((partial, left))
     }
 
     /// The rows that are whole, with what follows them cut off.
@@ -97,13 +122,6 @@ impl Partial {
         Ok((rows > 0).then_some(Found { rows, last }))
     }
 
-    /// Begins anew, with the heading.
-    pub fn begin(&mut self, heading: &str) -> io::Result<()> {
-        self.file.set_len(0)?;
-        self.file.rewind()?;
-        self.write(heading)
-    }
-
     /// Adds whole rows.
     pub fn write(&mut self, rows: &str) -> io::Result<()> {
         self.file.write_all(rows.as_bytes())
@@ -119,9 +137,7 @@ impl Partial {
             return fs::rename(&path, &self.target);
         };
         let folder = folder(&self.target);
-        let staged = tempfile::Builder::new()
-            .prefix(".sextic-")
-            .tempfile_in(folder)?;
+        let staged = staged(folder)?;
         convert(&path, staged.as_file())?;
         staged.as_file().sync_all()?;
         staged.persist(&self.target).map_err(|error| error.error)?;
@@ -137,6 +153,25 @@ fn folder(path: &Path) -> &Path {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     }
+}
+
+/// The files of interrupted runs beside a target, other than its own.
+pub fn others(target: &Path, identity: &str) -> Vec<PathBuf> {
+    let Some(name) = target.file_name().and_then(|name| name.to_str()) else {
+        return Vec::new();
+    };
+    let own = format!("{name}.{identity}.part");
+    let is_other = |path: &PathBuf| {
+        let other = path
+            .file_name()
+            .and_then(|other| other.to_str())
+            .unwrap_or_default();
+        other != own && other.starts_with(&format!("{name}.")) && other.ends_with(".part")
+    };
+    let entries = fs::read_dir(folder(target)).into_iter().flatten().flatten();
+    let mut others: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(is_other).collect();
+    others.sort();
+    others
 }
 
 /// `sweep.csv.1f0a….part` for `sweep.csv`.

@@ -9,10 +9,10 @@ use crate::report::summary::Summary;
 use crate::stability::comparison::compare;
 
 use super::Outcome;
-use super::file::{reason, write_text};
-use super::output::{complain, finish, wrong};
+use super::case::{case_and_files, refuse};
+use super::file::write_text;
+use super::output::{complain, finish, reason, wrong};
 use super::source::audit_all;
-use super::stability::{case_and_files, refuse};
 
 /// Writes a derivation, its verdicts and a case as one HTML file
 ///

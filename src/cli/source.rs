@@ -9,7 +9,7 @@ use crate::derivation::document::MAXIMUM_SIZE;
 use crate::documents::{ShippedLibrary, resolve, shipped};
 
 use super::Outcome;
-use super::output::{reject, wrong};
+use super::output::{reason, reject, wrong};
 
 /// Audits the documents with these paths, or those that come with the command where there are none.
 ///
@@ -75,16 +75,6 @@ fn unreadable(path: &str, error: &std::io::Error) -> Outcome {
         _ => "name a Markdown document, or none for those that come with the command",
     };
     wrong(&format!("`{path}` cannot be read: {}", reason(error)), help)
-}
-
-/// Why a file cannot be read, in a few words.
-fn reason(error: &std::io::Error) -> String {
-    match error.kind() {
-        ErrorKind::NotFound => "there is no such file".to_owned(),
-        ErrorKind::IsADirectory => "it is a folder".to_owned(),
-        ErrorKind::PermissionDenied => "permission denied".to_owned(),
-        _ => error.to_string(),
-    }
 }
 
 /// A path with the separator that documents use.

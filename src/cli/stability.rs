@@ -4,23 +4,20 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
-use crate::derivation::diagnostic::SourceFile;
 use crate::report::{csv, json, stability_figure, text};
-use crate::stability::case::Case;
-use crate::stability::coefficient_table::CoefficientTable;
 use crate::stability::comparison::{Comparison, compare};
-use crate::stability::input::InputError;
 
 use super::Outcome;
-use super::file::{read_text, reason, write_text};
-use super::output::{finish, width, wrong};
+use super::case::{case_and_table, refuse};
+use super::file::write_text;
+use super::output::{finish, reason, width, wrong};
 
 /// Shows at which angles a section gallops, and how the methods agree
 ///
 /// The case file names the section, its structure, the wind, the angles, and a table of force
 /// coefficients beside it. At each angle the damping coefficient S_3D = -4 m max(lambda_R)/(rho D U) is
-/// computed from the state matrix, from the characteristic polynomial, and by the closed forms
-/// (21) to (23); the section gallops where it is below 0.
+/// computed from the state matrix, from the characteristic polynomial, by the closed forms (21) to (23),
+/// and by the uniform form, which holds at every eccentricity; the section gallops where it is below 0.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
@@ -82,7 +79,20 @@ A case file:
   U = 9                           # in m/s
   [sweep]
   alpha_deg = { from = 0, to = 180, step = 0.5 }
-  turn = \"section\"                # or \"wind\"
+  turn = \"section\"                # alpha turns the section (theta_0), or \"wind\" (alpha_0)
+
+Signs: the wind blows along (cos alpha_0, sin alpha_0) in the plane of x and y. Positive theta moves a point
+at the distance L and the angle beta from the elastic centre O, at (-L cos beta, L sin beta), to
+(-L cos(beta + theta), L sin(beta + theta)); alpha_g and gamma_r are the beta of the mass centre G and of the
+aerodynamic centre A. The relative wind is that at A, and coefficients are read at the angle of attack
+alpha = alpha_0 + theta_0. Drag is along the relative wind, lift 90 degrees anticlockwise from it, each
+rho D U^2 C/2; the moment is about O in the sense of theta, rho D^2 U^2 C_M/2.
+
+Modes are numbered by their frequency at the first angle, the highest first, and followed by their shapes.
+
+Columns of --format csv: s3d_exact (state matrix), s3d_companion, s3d_closed, s3d_uniform; error_exact and
+error_companion, within which what is exact lies of the number that is printed; number and frequency of the
+mode with the least damping; S and frequency of every mode.
 
 Exit status:
   0  the case was computed, whether the section gallops or not
@@ -116,33 +126,4 @@ pub fn run(arguments: &Arguments) -> Outcome {
 fn comparison(path: &Path) -> Result<Comparison, Outcome> {
     let (case, table) = case_and_table(path)?;
     compare(&case, &table).map_err(|error| refuse(&error))
-}
-
-/// A case and its table from the disk.
-pub(super) fn case_and_table(path: &Path) -> Result<(Case, CoefficientTable), Outcome> {
-    let (case, table, _) = case_and_files(path)?;
-    Ok((case, table))
-}
-
-/// A case and its table from the disk, with the texts of their files, that of the case first.
-pub(super) fn case_and_files(
-    path: &Path,
-) -> Result<(Case, CoefficientTable, [SourceFile; 2]), Outcome> {
-    let text = read_text(path, "a case file: `sextic stability --help` shows one")?;
-    let case_file = SourceFile::new(path.to_string_lossy(), text);
-    let case = Case::read(&case_file.path, &case_file.text).map_err(|error| refuse(&error))?;
-    let table = path.with_file_name(&case.coefficients);
-    let text = read_text(
-        &table,
-        &format!("a table in {}, relative to its folder", case.file),
-    )?;
-    let table_file = SourceFile::new(table.to_string_lossy(), text);
-    let table = CoefficientTable::read(&table_file.path, &table_file.text)
-        .map_err(|error| refuse(&error))?;
-    Ok((case, table, [case_file, table_file]))
-}
-
-/// Writes what is wrong with a case or a table.
-pub(super) fn refuse(error: &InputError) -> Outcome {
-    wrong(&format!("{}: {}", error.place, error.what), &error.help)
 }

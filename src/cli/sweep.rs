@@ -10,14 +10,14 @@ use sha2::{Digest, Sha256};
 
 use crate::derivation::diagnostic::{SourceFile, nearest};
 use crate::report::csv::{grid_heading, grid_row};
-use crate::stability::grid::{Axis, Grid, Methods, Rows};
+use crate::stability::axis::Axis;
+use crate::stability::grid::{Grid, Methods, Rows};
 use crate::stability::variable::Variable;
 
 use super::Outcome;
-use super::file::reason;
-use super::output::{complain, finish, stream, wrong};
-use super::partial::{Conversion, Found, Partial};
-use super::stability::{case_and_files, refuse};
+use super::case::{case_and_files, refuse};
+use super::output::{complain, finish, reason, stream, wrong};
+use super::partial::{Conversion, Left, Partial, others};
 
 /// Computes a case at all combinations of values of its quantities
 ///
@@ -41,7 +41,8 @@ pub struct Arguments {
     #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Method::State, Method::Companion, Method::Closed, Method::Uniform])]
     method: Vec<Method>,
 
-    /// One row for all angles: that of the smallest S_3D, by the first of the methods that are asked
+    /// One row for all angles: that of the smallest S_3D, by the first of state, companion, uniform and
+    /// closed that is asked
     #[arg(long)]
     worst: bool,
 
@@ -69,6 +70,15 @@ Quantities, as in a case file or in SI units and radians:
   or omega_x, omega_y, omega_theta, and f or omega_n for all three; zeta_x, zeta_y, zeta_theta, and zeta
   for all three; C_D, C_L, C_M, dC_D, dC_L, dC_M (per radian) in place of what the table says
 
+Columns, after the quantities and the angle, as far as their methods are asked:
+  s3d_exact (state matrix), s3d_companion, s3d_closed, s3d_uniform: S_3D; empty where a method does not apply
+  error_exact, error_companion: what is exact is no farther from the number that is printed
+  frequency_hz, mostly: of the mode with the least damping, and the coordinate that moves most in it
+  closed_limits, uniform_limits: what speaks against the form, in words: held (a coordinate), detuned,
+  damped (structural damping is left out), eccentricity (below the aerodynamic damping), strong (damping)
+
+An interrupted sweep leaves its rows in a file beside the other one, whose name ends in .part.
+
 Examples:
   sextic sweep case.toml --vary L_g=0:0.004:200 --vary U=2:40:200 --worst --out sweep.csv
   sextic sweep case.toml --vary alpha_deg=30 --vary U=2:40:39
@@ -78,7 +88,7 @@ Exit status:
   0  all rows were computed
   2  the input is wrong, or the file cannot be written; rows that were written are kept to go on with";
 
-/// So many points are computed between writes.
+/// About so many points are computed between writes.
 const BLOCK: u64 = 16_384;
 
 /// The fewest rows between writes, so that all cores have some.
@@ -138,27 +148,33 @@ fn to_file(grid: &Grid, path: &Path, identity: &str) -> Outcome {
         Err(outcome) => return outcome,
     };
     let heading = grid_heading(grid);
-    let begun = Partial::open(path, identity, &heading).and_then(|(mut partial, found)| {
-        let done = found
-            .filter(|found| is_of(found, grid))
-            .map_or(0, |found| found.rows);
-        if done == 0 {
-            partial.begin(&heading)?;
-        }
-        Ok((partial, done))
-    });
-    let (mut partial, done) = match begun {
+    let row = |number| (number < grid.rows()).then(|| grid_row(grid, &grid.row(number)));
+    let (mut partial, left) = match Partial::open(path, identity, &heading, row) {
         Ok(begun) => begun,
         Err(error) => {
-            return unwritable(
-                &error,
-                "name a file in a folder that is there and that you may write to",
-            );
+            let help = "name a file in a folder that is there and that you may write to";
+            return unwritable(&error, help);
         }
     };
-    if done > 0 {
-        complain(&format!("{done} rows are there already\n"));
+    for other in others(path, identity) {
+        let other = other.display();
+        complain(&format!(
+            "{other} is left of a sweep with other inputs that was interrupted: delete it if you need it no more\n"
+        ));
     }
+    let done = match left {
+        Left::Nothing => 0,
+        Left::Rows(rows) => {
+            complain(&format!("{rows} rows are there already\n"));
+            rows
+        }
+        Left::Useless(rows) => {
+            complain(&format!(
+                "{rows} rows that are there are not as this program computes them: all begins anew\n"
+            ));
+            0
+        }
+    };
     let mut write = |rows: &str| partial.write(rows).map(|()| true);
     let written = compute(grid, done, &mut write).and_then(|()| partial.finish(conversion));
     match written {
@@ -171,11 +187,6 @@ fn to_file(grid: &Grid, path: &Path, identity: &str) -> Outcome {
             "give the same command again to go on with the rows that were written",
         ),
     }
-}
-
-/// Whether rows are of this grid, by the last of them.
-fn is_of(found: &Found, grid: &Grid) -> bool {
-    found.rows <= grid.rows() && grid_row(grid, &grid.row(found.rows - 1)) == found.last
 }
 
 /// Computes the rows from one on and writes them in order, until there is nobody who reads them.
@@ -248,7 +259,11 @@ fn conversion(path: &Path) -> Result<Option<Conversion>, Outcome> {
             "this build writes no Parquet",
             "build it with `--features parquet`, or name a .csv file",
         )),
-        _ => Ok(None),
+        Some("csv") | None => Ok(None),
+        Some(other) => Err(wrong(
+            &format!("a sweep is not written as .{other}"),
+            "name a .csv file, or a .parquet file",
+        )),
     }
 }
 

@@ -3,10 +3,10 @@
 use std::fmt::Write;
 
 use crate::stability::closed_form::Limitation;
-use crate::stability::comparison::{Comparison, Value, angle};
+use crate::stability::comparison::{Comparison, angle};
 use crate::stability::grid::{Grid, GridPoint};
 
-use super::stability::{certain, decimal};
+use super::stability::{bound, certain, decimal};
 
 /// A row an angle: S by every method, bounds of the errors, the mode with the least damping, and S and the
 /// frequency in Hz of every mode. An empty cell is a method that does not apply.
@@ -34,7 +34,6 @@ pub fn comparison(comparison: &Comparison) -> String {
     let mut text = heading.join(",") + "\n";
     for point in &comparison.points {
         let critical = point.critical();
-        let error = |value: Value| format!("{:.0e}", value.error);
         let optional = |cell: Option<String>| cell.unwrap_or_default();
         let mut cells = vec![
             angle(point.angle).to_string(),
@@ -42,8 +41,8 @@ pub fn comparison(comparison: &Comparison) -> String {
             optional(point.companion.map(certain)),
             optional(point.closed.value.map(|closed| decimal(closed, 9))),
             optional(point.uniform.value.map(|uniform| decimal(uniform, 9))),
-            error(point.exact),
-            optional(point.companion.map(error)),
+            bound(point.exact),
+            optional(point.companion.map(bound)),
             optional(critical.map(|mode| mode.label.to_string())),
             optional(critical.map(|mode| decimal(mode.frequency, 6))),
         ];
@@ -88,8 +87,15 @@ pub fn grid_row(grid: &Grid, point: &GridPoint) -> String {
     let methods = grid.methods();
     let mut row = String::with_capacity(96);
     // Writing to a string cannot fail.
-    for value in &point.values {
-        let _ = write!(row, "{value},");
+    if let Some((degrees, others)) = point.values.split_last() {
+        for value in others {
+            let _ = write!(row, "{value},");
+        }
+        // No angle is the worst where no method has an answer.
+        let _ = match degrees.is_nan() {
+            true => write!(row, ","),
+            false => write!(row, "{},", angle(*degrees)),
+        };
     }
     let mut cell = |is_asked: bool, text: Option<String>| {
         if is_asked {
@@ -97,7 +103,6 @@ pub fn grid_row(grid: &Grid, point: &GridPoint) -> String {
             row.push(',');
         }
     };
-    let error = |value: Value| format!("{:.0e}", value.error);
     cell(methods.exact, point.exact.map(certain));
     cell(methods.companion, point.companion.map(certain));
     cell(
@@ -108,8 +113,8 @@ pub fn grid_row(grid: &Grid, point: &GridPoint) -> String {
         methods.uniform,
         point.uniform.value.map(|uniform| decimal(uniform, 9)),
     );
-    cell(methods.exact, point.exact.map(error));
-    cell(methods.companion, point.companion.map(error));
+    cell(methods.exact, point.exact.map(bound));
+    cell(methods.companion, point.companion.map(bound));
     let (frequency, mostly) = point.critical.unzip();
     cell(
         methods.exact,

@@ -129,7 +129,11 @@ fn offset(comparison: &Comparison, table: &CoefficientTable) -> Result<Vec<Named
     let coefficients = curves.at(worst).map_err(|error| wrong(error.to_string()))?;
     let points = against_offset(case, coefficients, worst, LARGEST, STEPS)
         .map_err(|error| wrong(error.to_string()))?;
-    let title = format!("{} at α = {}°", stability_figure::name(case), angle(worst));
+    let title = format!(
+        "{} at the worst angle, α = {}°; modes are numbered at L_g = 0",
+        stability_figure::name(case),
+        angle(worst)
+    );
     let x_label = "offset of the mass centre, L_g / r".to_string();
     let damping = Figure {
         title: title.clone(),

@@ -83,7 +83,7 @@ pub fn page(request: &Request) -> Result<String, String> {
         .map(|(index, audit)| DocumentView::new(audit, index + 1))
         .collect();
     let view = PageView {
-        title: title(&documents),
+        title: title(&documents, request.case),
         documents,
         case: request.case.map(CaseView::new).transpose()?,
         repetition: Repetition::new(request),
@@ -97,7 +97,13 @@ pub fn page(request: &Request) -> Result<String, String> {
 }
 
 /// What a browser calls the page.
-fn title(documents: &[DocumentView]) -> String {
+fn title(documents: &[DocumentView], case: Option<&CaseFiles>) -> String {
+    if let Some(case) = case {
+        return format!(
+            "Stability of {}",
+            super::stability_figure::name(&case.comparison.case)
+        );
+    }
     let titles: Vec<&str> = documents.iter().map(DocumentView::title).collect();
     titles.join("; ")
 }

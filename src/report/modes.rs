@@ -5,7 +5,7 @@ use num_complex::Complex;
 /// What a method says of a section.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModesFound {
-    /// The method: `closed`, `companion`, `state`.
+    /// The method: `closed`, `uniform`, `companion`, `state`.
     pub method: &'static str,
     /// λ in 1/s, one of each pair of conjugates, with a bound of its error if the method gives one.
     pub eigenvalues: Vec<(Complex<f64>, Option<f64>)>,

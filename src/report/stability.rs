@@ -12,6 +12,17 @@ pub fn certain(value: Value) -> String {
     decimal(value.value, decimals(value.error, MOST_DECIMALS))
 }
 
+/// A bound for a number as [`certain`] prints it: its error and half a unit of the last decimal, as a power
+/// of ten.
+pub fn bound(value: Value) -> String {
+    bound_with(value.error, decimals(value.error, MOST_DECIMALS))
+}
+
+/// A bound for a number that is printed with so many decimals.
+pub fn bound_with(error: f64, decimals: usize) -> String {
+    power(error + 0.5 * 10_f64.powi(-(decimals as i32)))
+}
+
 /// How many decimals an error leaves certain.
 pub fn decimals(error: f64, most: usize) -> usize {
     let decimals = -(2.0 * error).log10();
@@ -51,6 +62,32 @@ pub fn title(comparison: &Comparison) -> String {
         "{}: {angles}; {free}; U = {} m/s",
         case.file, case.parameters.wind_speed
     )
+}
+
+/// Where the section gallops, in a sentence: what is not decided is not called stable.
+pub fn conclusion(comparison: &Comparison) -> String {
+    let name = comparison.coefficient_name();
+    let points = comparison.points.iter();
+    let least = points.min_by(|one, other| one.exact.value.total_cmp(&other.exact.value));
+    let least = least.map_or(String::new(), |point| {
+        let (value, place) = (decimal(point.exact.value, 4), angle(point.angle));
+        format!("the least {name} is {value}, at {place}°")
+    });
+    let undecided = match comparison.undecided.as_slice() {
+        [] => String::new(),
+        ranges => format!(
+            "; not decided, {name} being within its error: {}",
+            listed(ranges)
+        ),
+    };
+    match (comparison.unstable.len(), comparison.undecided.len()) {
+        (0, 0) => format!("No angle of the sweep is unstable: {least}."),
+        (0, _) => format!("No angle of the sweep is unstable for certain: {least}{undecided}."),
+        (1, _) => format!("The section gallops in one range of angles: {least}{undecided}."),
+        (count, _) => {
+            format!("The section gallops in {count} ranges of angles: {least}{undecided}.")
+        }
+    }
 }
 
 /// A mode: `2, mostly y`.

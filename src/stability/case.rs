@@ -2,11 +2,14 @@
 
 use serde::Deserialize;
 
-use super::case_file::File;
-use super::case_keys::{Lines, check_keys, not_read};
+mod file;
+mod keys;
+
+use self::file::File;
+use self::keys::{Lines, check_keys, not_read};
 use super::error::StabilityError;
 use super::forces::Forces;
-use super::input::{InputError, Place};
+use super::input::{InputError, Place, Remark};
 use super::interpolation::Interpolation;
 use super::section::{Coefficients, Parameters, Section};
 
@@ -43,7 +46,7 @@ use super::section::{Coefficients, Parameters, Section};
 /// turn = "section"
 /// "#;
 /// let case = Case::read("case.toml", text)?;
-/// assert_eq!(case.sweep.angles().len(), 361);
+/// assert_eq!(case.angles.values().len(), 361);
 ///
 /// let error = Case::read("case.toml", &text.replace("alpha_g_deg", "alpha_g")).unwrap_err();
 /// assert_eq!(
@@ -63,12 +66,12 @@ pub struct Case {
     /// How the table is read between its angles.
     pub interpolation: Interpolation,
     /// The angles.
-    pub sweep: Sweep,
+    pub angles: Angles,
 }
 
 /// The angles of attack at which a section is looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sweep {
+pub struct Angles {
     /// The first angle, in degrees.
     pub from: f64,
     /// The last angle, in degrees, unless the steps miss it.
@@ -89,12 +92,18 @@ pub enum Turn {
     Wind,
 }
 
+/// Structural damping ratios above this are taken for percentages.
+const MOST_USUAL_RATIO: f64 = 0.1;
+
+/// No length of a section is this many times another one, but by a mistaken unit.
+const MOST_USUAL_LENGTHS: f64 = 20.0;
+
 /// The most angles of a sweep.
 pub const MOST_ANGLES: usize = 1_000_000;
 
-impl Sweep {
+impl Angles {
     /// The angles in degrees: from, from + step, …, up to `to`.
-    pub fn angles(&self) -> Vec<f64> {
+    pub fn values(&self) -> Vec<f64> {
         // A step that fits but for its rounding still counts.
         let steps = ((self.to - self.from) / self.step + 1e-9).floor();
         let steps = (steps as usize).min(MOST_ANGLES - 1);
@@ -134,7 +143,7 @@ impl Case {
             },
             coefficients: section.coefficients,
             interpolation: section.interpolation,
-            sweep: Sweep {
+            angles: Angles {
                 from: read.sweep.alpha_deg.from,
                 to: read.sweep.alpha_deg.to,
                 step: read.sweep.alpha_deg.step,
@@ -161,7 +170,7 @@ impl Case {
     /// The parameters of that section, not checked.
     pub(super) fn parameters_at(&self, alpha_deg: f64, coefficients: Coefficients) -> Parameters {
         let alpha = alpha_deg.to_radians();
-        let (wind_angle, attitude) = match self.sweep.turn {
+        let (wind_angle, attitude) = match self.angles.turn {
             Turn::Section => (0.0, alpha),
             Turn::Wind => (alpha, 0.0),
         };
@@ -173,9 +182,40 @@ impl Case {
         }
     }
 
+    /// What is possible but odd about its numbers, as where a unit was mistaken.
+    pub fn remarks(&self) -> Vec<Remark> {
+        let p = &self.parameters;
+        let mut remarks = Vec::new();
+        let mut remark = |what: String| {
+            let place = Place::file(&self.file);
+            remarks.push(Remark { place, what });
+        };
+        for (name, ratio) in ["zeta_x", "zeta_y", "zeta_theta"]
+            .into_iter()
+            .zip(p.damping_ratios)
+        {
+            if ratio > MOST_USUAL_RATIO {
+                remark(format!(
+                    "{name} = {ratio} is a damping of {} % of critical; ratios are fractions, 0.8 % is 0.008",
+                    ratio * 100.0
+                ));
+            }
+        }
+        let (size, r) = (p.reference_dimension, p.radius_of_gyration);
+        for (name, length) in [("r", r), ("L_a", p.aerodynamic_centre_distance)] {
+            if length > MOST_USUAL_LENGTHS * size || (name == "r" && size > MOST_USUAL_LENGTHS * r)
+            {
+                remark(format!(
+                    "{name} = {length} m beside D = {size} m; all lengths are in m"
+                ));
+            }
+        }
+        remarks
+    }
+
     fn check(&self, lines: &Lines) -> Result<(), InputError> {
         Section::new(self.parameters).map_err(|error| self.impossible(&error, lines))?;
-        let Sweep { from, to, step, .. } = self.sweep;
+        let Angles { from, to, step, .. } = self.angles;
         let what = if ![from, to, step].iter().all(|number| number.is_finite()) {
             format!("the sweep from {from} to {to} in steps of {step} is not finite")
         } else if step <= 0.0 {
@@ -254,13 +294,13 @@ mod tests {
     fn the_last_angle_is_reached_in_spite_of_rounding() {
         let sweep = |from, to, step| {
             let turn = Turn::Section;
-            Sweep {
+            Angles {
                 from,
                 to,
                 step,
                 turn,
             }
-            .angles()
+            .values()
         };
         assert_eq!(sweep(0.0, 0.3, 0.1).len(), 4);
         assert_eq!(sweep(0.0, 1.0, 0.3).last(), Some(&0.8999999999999999));

@@ -1,5 +1,7 @@
 //! A table of force coefficients against the angle of attack, as a wind tunnel gives it.
 
+pub mod remarks;
+
 use csv::{ReaderBuilder, StringRecord, Trim};
 
 use super::input::{InputError, Place, meant};

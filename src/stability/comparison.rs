@@ -13,10 +13,10 @@ use rayon::prelude::*;
 
 use super::case::Case;
 use super::coefficient_table::CoefficientTable;
+use super::coefficient_table::remarks::{radians, remarks};
 use super::coordinate::Coordinate;
 use super::input::{InputError, Place, Remark};
 use super::interpolation::CoefficientCurves;
-use super::table_remarks::remarks;
 use super::tracking::Mode;
 
 /// What the methods say of a case, at the angles of its sweep.
@@ -43,10 +43,10 @@ const BLOCK: usize = 1024;
 ///
 /// The curve of S is the damping coefficient −4 m max λ_R/(ρ D U), Eq. (13): the exact one by the state
 /// matrix, Eq. (16), with the structural damping as given; that of the companion matrix, Eq. (19); that of
-/// the closed forms (21)–(23), where they apply. Modes are numbered by their frequency at the first angle,
+/// the closed forms (21)–(23) and of the uniform form, where they apply. Modes are numbered by their frequency at the first angle,
 /// the highest first, and followed by their shapes.
 ///
-/// Linear in the number of angles: at each, two eigenvalue problems of at most 6×6, on all cores.
+/// Linear in the number of angles: at each, two eigenvalue problems of at most 6×6 and two of 3×3, on all cores.
 ///
 /// # Errors
 ///
@@ -58,10 +58,13 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
         return Err(InputError::new(file, what, "give a wind speed above 0"));
     }
     let curves = CoefficientCurves::new(table, case.interpolation);
-    let angles = case.sweep.angles();
+    let angles = case.angles.values();
     let answers = |&angle: &f64| -> Result<(f64, Answers), InputError> {
         let coefficients = curves.at(angle).map_err(|outside| {
-            let help = format!("shorten the sweep in {}, or complete the table", case.file);
+            let help = match radians(table) {
+                Some(remark) => remark.what,
+                None => format!("shorten the sweep in {}, or complete the table", case.file),
+            };
             InputError::new(Place::file(table.file()), outside.to_string(), help)
         })?;
         let section = case.section(angle, coefficients);
@@ -82,6 +85,7 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
         }
     }
     let mut remarks = remarks(table);
+    remarks.extend(case.remarks());
     remarks.extend(weakened(case, &points));
     let corners = curves.corners(&angles);
     if corners > 0 {

@@ -50,6 +50,13 @@ pub struct FreeCoordinates {
     count: usize,
 }
 
+impl Default for FreeCoordinates {
+    /// All three.
+    fn default() -> Self {
+        FreeCoordinates::all()
+    }
+}
+
 impl FreeCoordinates {
     /// These coordinates, in any order; one that is named twice is free once.
     ///

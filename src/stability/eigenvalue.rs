@@ -38,7 +38,12 @@ impl Spectrum {
         let below = values
             .map(|own| own.value.re - own.error)
             .fold(f64::NEG_INFINITY, f64::max);
-        (part, (above - part).max(part - below))
+        // What is lost by rounding here is less.
+        let error = (above - part).max(part - below);
+        (
+            part,
+            (error + 4.0 * f64::EPSILON * part.abs()) * (1.0 + 8.0 * f64::EPSILON),
+        )
     }
 
     /// S_3D = −4 m max λ_R/(ρ D U) of a section (S_2D with two free coordinates) and a bound of its
@@ -46,11 +51,14 @@ impl Spectrum {
     pub fn damping_coefficient(&self, section: &Section) -> Option<(f64, f64)> {
         let (part, error) = self.largest_real_part();
         let coefficient = section.damping_coefficient(part)?;
-        Some((coefficient, section.damping_coefficient(error)?.abs()))
+        let error = section.damping_coefficient(error)?.abs();
+        Some((
+            coefficient,
+            (error + 8.0 * f64::EPSILON * coefficient.abs()) * (1.0 + 8.0 * f64::EPSILON),
+        ))
     }
 
-    /// Those with a frequency that is above 0 for certain, and those that may be real; a pair of the
-    /// former is there once.
+    /// Those whose imaginary part is computed as 0 or above: one of each pair, and the real ones.
     pub fn one_of_each_pair(&self) -> impl Iterator<Item = &Eigenvalue> {
         self.eigenvalues.iter().filter(|own| own.value.im >= 0.0)
     }

@@ -120,8 +120,10 @@ fn rows<T>(s: AerodynamicDampingOutputs<T>) -> [[T; 3]; 3] {
     ]
 }
 
-/// What a generated evaluator gives, with a bound that counts the rounding of sines and cosines:
-/// each of them enters at most four times, and not more heavily than the first product with it.
+/// What a generated evaluator gives, with a bound that counts the rounding of sines and cosines, a unit in
+/// the last place of each: they enter as factors, and each product with one adds half a unit to the bound of
+/// the evaluator, a product of two of them half a unit for both. So the sines add at most four times that
+/// bound, and once more where a sine alone is a result.
 pub(super) fn derived(value: Bounded) -> Ball {
     Ball::real(
         value.value,

@@ -1,5 +1,6 @@
 //! A case at all combinations of values of some of its quantities.
 
+use super::axis::Axis;
 use super::case::Case;
 use super::closed_form::{Estimate, closed_form};
 use super::coefficient_table::CoefficientTable;
@@ -10,75 +11,14 @@ use super::error::StabilityError;
 use super::input::{InputError, Place};
 use super::interpolation::CoefficientCurves;
 use super::model::Model;
-use super::modes;
 use super::section::{Parameters, Section};
+use super::state_matrix;
 use super::tracking::Mode;
 use super::uniform_form::uniform_form;
 use super::variable::Variable;
 
-/// A quantity and its values, in order.
-#[derive(Clone, Debug)]
-pub struct Axis {
-    /// The quantity.
-    pub variable: Variable,
-    values: Vec<f64>,
-}
-
-/// The most values of an axis.
-pub const MOST_VALUES: usize = 1_000_000;
-
 /// The most points of a grid.
 pub const MOST_POINTS: u64 = 1_000_000_000;
-
-impl Axis {
-    /// `count` values from the first to the last, evenly spaced and rounded to twelve digits, so that what
-    /// is written down is what was computed with.
-    ///
-    /// # Errors
-    ///
-    /// What is wrong, in words: a value that is not finite, no values or too many, one value from two ends.
-    ///
-    /// ```
-    /// use sextic::stability::grid::Axis;
-    /// use sextic::stability::variable::Variable;
-    ///
-    /// let speed = Variable::named("U").expect("a variable");
-    /// assert_eq!(Axis::new(speed, 0.0, 0.3, 4)?.values(), [0.0, 0.1, 0.2, 0.3]);
-    /// # Ok::<(), String>(())
-    /// ```
-    pub fn new(variable: Variable, from: f64, to: f64, count: usize) -> Result<Self, String> {
-        let name = variable.name;
-        if !from.is_finite() || !to.is_finite() {
-            return Err(format!("{name} from {from} to {to} is not finite"));
-        }
-        if count == 0 || count > MOST_VALUES {
-            return Err(format!(
-                "{name} has {count} values; 1 to {MOST_VALUES} are possible"
-            ));
-        }
-        if count == 1 && from != to {
-            return Err(format!(
-                "{name} has one value but two ends, {from} and {to}"
-            ));
-        }
-        let value = |place: usize| {
-            let share = place as f64 / (count - 1).max(1) as f64;
-            rounded(from * (1.0 - share) + to * share)
-        };
-        let values = (0..count).map(value).collect();
-        Ok(Axis { variable, values })
-    }
-
-    /// The values, at least one.
-    pub fn values(&self) -> &[f64] {
-        &self.values
-    }
-}
-
-/// A number with twelve digits.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.11e}").parse().unwrap_or(value)
-}
 
 /// The methods that are asked at each point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,7 +45,7 @@ pub enum Rows {
 /// What the methods say at a point of a grid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GridPoint {
-    /// The values of the axes, in order; that of the angle, in degrees, last.
+    /// The values of the axes, in order; that of the angle, in degrees, last: NaN if none is the worst.
     pub values: Vec<f64>,
     /// S by the state matrix; `None` without wind or if there is no bounded answer.
     pub exact: Option<Value>,
@@ -137,7 +77,7 @@ impl<'a> Grid<'a> {
     ///
     /// # Errors
     ///
-    /// If a quantity is named twice, if there are more than [`MOST_POINTS`] points, if an angle is outside
+    /// If two axes set the same quantity or one sets nothing, if there are more than [`MOST_POINTS`] points, if an angle is outside
     /// of the table, or if a section at a corner of the grid is not possible: then none within is in doubt.
     pub fn new(
         case: &'a Case,
@@ -149,22 +89,26 @@ impl<'a> Grid<'a> {
         let wrong = |what: String, help: &str| InputError::new(Place::file(&case.file), what, help);
         for (place, axis) in axes.iter().enumerate() {
             let name = axis.variable.name;
-            if axes[..place]
+            let clash = axes[..place]
                 .iter()
-                .any(|other| other.variable.name == name)
-            {
-                let what = format!("{name} is varied twice");
-                return Err(wrong(what, "name every quantity once"));
+                .find(|other| axis.variable.clashes(other.variable));
+            if let Some(other) = clash {
+                let what = match other.variable.name == name {
+                    true => format!("{name} is varied twice"),
+                    false => format!("{} and {name} set the same quantity", other.variable.name),
+                };
+                return Err(wrong(what, "vary every quantity by one name"));
+            }
+            if axis.variable.is_held(&case.parameters) {
+                let what = format!("{name} does nothing: its coordinate is held");
+                return Err(wrong(what, "see `free` in the case"));
             }
         }
         if !axes.iter().any(|axis| axis.variable.is_angle()) {
-            axes.push(Axis {
-                variable: Variable::ANGLE,
-                values: case.sweep.angles().into_iter().map(rounded).collect(),
-            });
+            axes.push(Axis::at(Variable::ANGLE, case.angles.values()));
         }
         axes.sort_by_key(|axis| axis.variable.is_angle());
-        let mut counts = axes.iter().map(|axis| axis.values.len() as u64);
+        let mut counts = axes.iter().map(|axis| axis.values().len() as u64);
         let points = counts.try_fold(1_u64, |points, count| points.checked_mul(count));
         if points.is_none_or(|points| points > MOST_POINTS) {
             let what = format!("the grid has more than {MOST_POINTS} points");
@@ -192,31 +136,37 @@ impl<'a> Grid<'a> {
             })?;
         }
         // Each limit is on one quantity, or on L_g against r: the corners keep it if all points do.
-        let corners = others
-            .iter()
-            .map(|axis| [axis.values[0], axis.values[axis.values.len() - 1]]);
-        let corners: Vec<[f64; 2]> = corners.collect();
-        for number in 0..1_u32 << corners.len() {
-            let ends = corners.iter().enumerate();
-            let mut values: Vec<f64> = ends
-                .map(|(place, ends)| ends[(number >> place & 1) as usize])
-                .collect();
-            let named = others.iter().zip(&values);
-            let named: Vec<String> = named
-                .map(|(axis, value)| format!("{} = {value}", axis.variable.name))
-                .collect();
-            values.push(angles[0]);
-            self.section(&values).map_err(|error| {
-                let what = format!("with {}: {error}", named.join(", "));
-                InputError::new(Place::file(&self.case.file), what, "correct --vary")
-            })?;
+        let mut corners = vec![Vec::new()];
+        for axis in others {
+            let values = axis.values();
+            let ends = if values.len() > 1 {
+                vec![values[0], values[values.len() - 1]]
+            } else {
+                values.to_vec()
+            };
+            let with = |corner: &Vec<f64>| -> Vec<Vec<f64>> {
+                ends.iter()
+                    .map(|&end| [corner.as_slice(), &[end]].concat())
+                    .collect()
+            };
+            corners = corners.iter().flat_map(with).collect();
+        }
+        for corner in corners {
+            self.section(&[corner.as_slice(), &angles[..1]].concat())
+                .map_err(|error| {
+                    let named = others.iter().zip(&corner);
+                    let named =
+                        named.map(|(axis, value)| format!("{} = {value}", axis.variable.name));
+                    let what = format!("with {}: {error}", named.collect::<Vec<_>>().join(", "));
+                    InputError::new(Place::file(&self.case.file), what, "correct --vary")
+                })?;
         }
         Ok(())
     }
 
     fn angles_and_others(&self) -> (&[f64], &[Axis]) {
         match self.axes.split_last() {
-            Some((angles, others)) => (&angles.values, others),
+            Some((angles, others)) => (angles.values(), others),
             None => (&[], &[]),
         }
     }
@@ -234,7 +184,10 @@ impl<'a> Grid<'a> {
     /// How many rows there are.
     pub fn rows(&self) -> u64 {
         let (angles, others) = self.angles_and_others();
-        let combinations: u64 = others.iter().map(|axis| axis.values.len() as u64).product();
+        let combinations: u64 = others
+            .iter()
+            .map(|axis| axis.values().len() as u64)
+            .product();
         match self.rows {
             Rows::Points => combinations * angles.len() as u64,
             Rows::WorstAngles => combinations,
@@ -257,15 +210,20 @@ impl<'a> Grid<'a> {
         }
     }
 
+    /// The angle with the smallest S by one method for all of them: the first of state matrix, companion
+    /// matrix, uniform form and closed forms that is asked. No angle where it has no answer at any.
     fn worst(&self, combination: u64) -> GridPoint {
         let angles = self.angles_and_others().0.len() as u64;
         let points = (0..angles).map(|angle| self.point(combination * angles + angle));
         let size = |point: &GridPoint| {
-            let exact = point.exact.map(|exact| exact.value);
-            let value = exact
-                .or(point.uniform.value)
-                .or(point.closed.value)
-                .or(point.companion.map(|own| own.value));
+            let value = match self.methods {
+                Methods { exact: true, .. } => point.exact.map(|own| own.value),
+                Methods {
+                    companion: true, ..
+                } => point.companion.map(|own| own.value),
+                Methods { uniform: true, .. } => point.uniform.value,
+                _ => point.closed.value,
+            };
             value.unwrap_or(f64::INFINITY)
         };
         let worse = |one: GridPoint, other: GridPoint| {
@@ -275,15 +233,22 @@ impl<'a> Grid<'a> {
                 one
             }
         };
-        points.reduce(worse).unwrap_or_else(|| self.point(0))
+        let mut worst = points.reduce(worse).unwrap_or_else(|| self.point(0));
+        if size(&worst) == f64::INFINITY {
+            worst.critical = None;
+            if let Some(angle) = worst.values.last_mut() {
+                *angle = f64::NAN;
+            }
+        }
+        worst
     }
 
     fn point(&self, number: u64) -> GridPoint {
         let mut values = vec![0.0; self.axes.len()];
         let mut rest = number;
         for (value, axis) in values.iter_mut().zip(&self.axes).rev() {
-            let count = axis.values.len() as u64;
-            *value = axis.values[(rest % count) as usize];
+            let count = axis.values().len() as u64;
+            *value = axis.values()[(rest % count) as usize];
             rest /= count;
         }
         let section = self.section(&values);
@@ -335,7 +300,7 @@ impl<'a> Grid<'a> {
         if !self.methods.exact {
             return;
         }
-        if let Ok(spectrum) = modes::eigenvalues(&model) {
+        if let Ok(spectrum) = state_matrix::eigenvalues(&model) {
             point.exact = spectrum.damping_coefficient(section).map(value);
             let pairs = spectrum.one_of_each_pair();
             let critical = pairs.max_by(|one, other| one.value.re.total_cmp(&other.value.re));

@@ -2,10 +2,9 @@
 //!
 //! Every eigenvalue comes with a bound of its error, so that an answer is as good as it says.
 
+pub mod axis;
 mod ball;
 pub mod case;
-mod case_file;
-mod case_keys;
 pub mod closed_form;
 pub mod coefficient_table;
 pub mod companion;
@@ -21,7 +20,6 @@ pub mod input;
 pub mod interpolation;
 mod modal;
 pub mod model;
-pub mod modes;
 pub mod offset;
 pub mod quantities;
 mod schur;
@@ -29,7 +27,7 @@ pub mod section;
 pub mod sensitivity;
 mod shape;
 pub mod spline;
-pub mod table_remarks;
+pub mod state_matrix;
 pub mod tracking;
 pub mod uniform_form;
 pub mod variable;

@@ -53,6 +53,18 @@ impl Model {
         let angle = p.mass_centre_angle + p.attitude;
         let (sin, cos) = (e * rounded(angle.sin()), e * rounded(angle.cos()));
         let wind = p.air_density * p.reference_dimension * p.wind_speed / (2.0 * p.mass) / unit;
+        // What is subnormal has lost digits, and what is too large is lost.
+        let products = [
+            2.0 * p.mass,
+            p.air_density * p.reference_dimension,
+            p.air_density * p.reference_dimension * p.wind_speed,
+        ];
+        let is_usual = |product: f64| product.is_normal();
+        if !products[..2].iter().copied().all(is_usual)
+            || !(is_usual(products[2]) || p.wind_speed == 0.0)
+        {
+            return Err(StabilityError::OutOfRange);
+        }
         let delta = Ball::real(wind, 4.0 * f64::EPSILON * wind + f64::MIN_POSITIVE);
         let s_a = section.scaled_damping_with_bound();
 

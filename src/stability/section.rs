@@ -8,7 +8,7 @@ use super::forces::Forces;
 ///
 /// Frequencies and damping ratios stand in the order x, y, θ. Those of a coordinate that is held
 /// are not used.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Parameters {
     /// m: mass per unit length, in kg/m.
     pub mass: f64,

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::coordinate::Coordinate;
 use super::forces::Forces;
 use super::section::{Coefficients, Parameters};
 
@@ -93,6 +94,34 @@ impl Variable {
     /// Whether it is the angle of attack.
     pub fn is_angle(self) -> bool {
         matches!(self.set, Set::Angle)
+    }
+
+    /// Whether it and another one set the same quantity: then their order matters.
+    pub(super) fn clashes(self, other: Variable) -> bool {
+        let mut one = Parameters::default();
+        let mut two = Parameters::default();
+        self.set(&mut one, 1.0);
+        other.set(&mut one, 2.0);
+        other.set(&mut two, 2.0);
+        self.set(&mut two, 1.0);
+        one != two || self.name == other.name
+    }
+
+    /// Whether it sets nothing of a section but what belongs to coordinates that are held.
+    pub(super) fn is_held(self, parameters: &Parameters) -> bool {
+        if self.is_angle() {
+            return false;
+        }
+        let mut changed = *parameters;
+        self.set(&mut changed, f64::INFINITY);
+        for coordinate in Coordinate::ALL {
+            if !parameters.free.as_slice().contains(&coordinate) {
+                let place = coordinate.index();
+                changed.natural_frequencies[place] = parameters.natural_frequencies[place];
+                changed.damping_ratios[place] = parameters.damping_ratios[place];
+            }
+        }
+        changed == *parameters
     }
 
     /// Gives it a value; the angle of attack is for the case to set, with the coefficients there.

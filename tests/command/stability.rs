@@ -37,7 +37,7 @@ fn a_case_is_written_in_every_format_and_drawn() {
     let (status, out, err) = run(&["stability", case, "--plot", plot_path]);
     assert_eq!((status, err.as_str()), (Some(0), ""));
     assert!(
-        out.contains("Unstable ranges") && out.contains("Methods"),
+        out.contains("Unstable ranges, in steps of 0.5°") && out.contains("Methods"),
         "{out}"
     );
     assert!(
@@ -169,7 +169,11 @@ fn all_methods_find_the_modes_without_wind() {
 #[test]
 fn what_modes_cannot_do_is_said() {
     for (section, more, message) in [
-        (&SECTION[..], &["--method", "exact"][..], "not built yet"),
+        (
+            &SECTION[..],
+            &["--method", "exakt"][..],
+            "possible values: closed, uniform",
+        ),
         (&SECTION[1..], &[], "the modes need m too"),
         (&SECTION[..], &["--set", "L_G=1"], "did you mean `L_g`?"),
         (&SECTION[..], &["--set", "m=1"], "set twice"),

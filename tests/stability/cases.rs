@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use sextic::stability::case::Case;
 use sextic::stability::coefficient_table::CoefficientTable;
-use sextic::stability::table_remarks::remarks;
+use sextic::stability::coefficient_table::remarks::remarks;
 
 /// The folder of the cases that come with the project.
 pub fn shipped() -> PathBuf {

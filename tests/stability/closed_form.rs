@@ -3,8 +3,8 @@
 use sextic::stability::closed_form::{Limitation, closed_form};
 use sextic::stability::coordinate::{Coordinate, FreeCoordinates};
 use sextic::stability::model::Model;
-use sextic::stability::modes;
 use sextic::stability::section::{Parameters, Section};
+use sextic::stability::state_matrix;
 
 use super::sections::{Numbers, section};
 
@@ -36,7 +36,7 @@ fn closed_forms_are_the_eigenvalues_to_first_order() {
         let model = model(parameters);
         let closed = closed_form(model.section()).expect("tuned and free");
         assert_eq!(closed.warnings, []);
-        let exact = modes::eigenvalues(&model).expect("eigenvalues");
+        let exact = state_matrix::eigenvalues(&model).expect("eigenvalues");
         let size = 1e-4
             * closed
                 .eigenvalues

@@ -271,3 +271,29 @@ fn figures_without_a_case_are_those_of_the_eigenvectors() {
         }
     }
 }
+
+#[test]
+fn what_is_printed_holds_what_is_exact() {
+    for (name, ..) in VARIANTS {
+        let compared = compared(name);
+        let rows = csv::comparison(&compared);
+        for (row, point) in rows.lines().skip(1).zip(&compared.points) {
+            let cells: Vec<&str> = row.split(',').collect();
+            let number = |place: usize| cells[place].parse::<f64>().ok();
+            for (value, printed, bound) in [
+                (Some(point.exact), number(1), number(5)),
+                (point.companion, number(2), number(6)),
+            ] {
+                let Some(value) = value else {
+                    assert_eq!((printed, bound), (None, None));
+                    continue;
+                };
+                let (printed, bound) = (printed.expect("a number"), bound.expect("a bound"));
+                assert!(
+                    (printed - value.value).abs() + value.error <= bound * (1.0 + 1e-9),
+                    "{row}: {value:?}"
+                );
+            }
+        }
+    }
+}

@@ -4,8 +4,8 @@ use sextic::stability::companion;
 use sextic::stability::eigenvalue::{Eigenvalue, Spectrum};
 use sextic::stability::error::StabilityError;
 use sextic::stability::model::Model;
-use sextic::stability::modes;
 use sextic::stability::section::Section;
+use sextic::stability::state_matrix;
 
 use super::oracle::{Long, characteristic_polynomial, permutations, roots};
 use super::sections::{KINDS, Numbers, hard_section};
@@ -55,7 +55,7 @@ fn is_as_exact_as_it_says(
 
 #[test]
 fn eigenvalues_of_the_state_matrix_are_as_exact_as_they_say() {
-    is_as_exact_as_it_says(1, 50, modes::eigenvalues);
+    is_as_exact_as_it_says(1, 50, state_matrix::eigenvalues);
 }
 
 #[test]
@@ -70,7 +70,10 @@ fn both_ways_agree_within_their_bounds_and_none_hangs() {
         for _ in 0..2000 {
             let section = Section::new(hard_section(kind, &mut numbers)).expect("a section");
             let model = Model::new(&section).expect("a model");
-            let (one, other) = (modes::eigenvalues(&model), companion::eigenvalues(&model));
+            let (one, other) = (
+                state_matrix::eigenvalues(&model),
+                companion::eigenvalues(&model),
+            );
             let (one, other) = (one.expect("eigenvalues"), other.expect("roots"));
             let (a, a_error) = one.largest_real_part();
             let (b, b_error) = other.largest_real_part();

@@ -2,9 +2,9 @@
 
 use sextic::stability::coordinate::{Coordinate, FreeCoordinates};
 use sextic::stability::model::Model;
-use sextic::stability::modes;
 use sextic::stability::section::{Coefficients, Parameters, Section};
 use sextic::stability::sensitivity::weakened_by;
+use sextic::stability::state_matrix;
 
 use super::sections::{Numbers, section};
 
@@ -12,7 +12,7 @@ use super::sections::{Numbers, section};
 fn stability(parameters: Parameters) -> (f64, Vec<(Coordinate, f64)>) {
     let section = Section::new(parameters).expect("a section");
     let model = Model::new(&section).expect("a model");
-    let spectrum = modes::eigenvalues(&model).expect("eigenvalues");
+    let spectrum = state_matrix::eigenvalues(&model).expect("eigenvalues");
     let (value, _) = spectrum.damping_coefficient(&section).expect("wind");
     (value, weakened_by(&model, &spectrum))
 }

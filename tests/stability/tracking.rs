@@ -2,8 +2,8 @@
 
 use sextic::stability::coordinate::{Coordinate, FreeCoordinates};
 use sextic::stability::model::Model;
-use sextic::stability::modes;
 use sextic::stability::section::{Parameters, Section};
+use sextic::stability::state_matrix;
 use sextic::stability::tracking::{Mode, follow, overlap};
 
 use super::sections::{Numbers, section};
@@ -21,7 +21,7 @@ fn modes_at(omega_theta: f64, eccentricity: f64) -> (Model, Vec<Mode>) {
         ..usual
     };
     let model = Model::new(&Section::new(parameters).expect("a section")).expect("a model");
-    let spectrum = modes::eigenvalues(&model).expect("eigenvalues");
+    let spectrum = state_matrix::eigenvalues(&model).expect("eigenvalues");
     let of = |value| Mode::new(&model, value, None).expect("a shape");
     let modes = spectrum
         .one_of_each_pair()
@@ -70,7 +70,7 @@ fn a_shape_is_the_same_by_the_adjugate_and_by_singular_values() {
     for _ in 0..200 {
         let section = Section::new(section(&mut numbers)).expect("a section");
         let model = Model::new(&section).expect("a model");
-        for own in modes::eigenvalues(&model)
+        for own in state_matrix::eigenvalues(&model)
             .expect("values")
             .one_of_each_pair()
         {

@@ -3,8 +3,8 @@
 use sextic::stability::closed_form::{ClosedForm, Limitation, closed_form};
 use sextic::stability::coordinate::{Coordinate, FreeCoordinates};
 use sextic::stability::model::Model;
-use sextic::stability::modes;
 use sextic::stability::section::{Parameters, Section};
+use sextic::stability::state_matrix;
 use sextic::stability::uniform_form::uniform_form;
 
 use super::sections::{Numbers, section};
@@ -35,7 +35,7 @@ fn tuned(usual: Parameters) -> Parameters {
 
 /// The largest real part, over the size of the damping.
 fn error(model: &Model, form: &ClosedForm) -> f64 {
-    let (exact, bound) = modes::eigenvalues(model)
+    let (exact, bound) = state_matrix::eigenvalues(model)
         .expect("eigenvalues")
         .largest_real_part();
     let size = model.section().relative_aerodynamic_damping() * 6.0;
@@ -83,7 +83,7 @@ fn it_is_right_where_the_closed_form_calls_stable_what_is_not() {
     for _ in 0..500 {
         // A lightly iced cable: L_g/r of 1 %, damping of the same size.
         let model = model(tuned(section(&mut numbers)), 0.01, 0.02);
-        let (exact, bound) = modes::eigenvalues(&model)
+        let (exact, bound) = state_matrix::eigenvalues(&model)
             .expect("eigenvalues")
             .largest_real_part();
         if exact.abs() <= bound + 1e-4 * 0.02 {
@@ -110,8 +110,8 @@ fn its_errors_are_bounded_for_the_section_at_hand() {
     for damping in [1e-4, 1e-2] {
         let model = model(tuned(section(&mut numbers)), 0.1, damping);
         let form = uniform_form(&model).expect("it applies");
-        let exact = modes::eigenvalues(&model).expect("eigenvalues");
-        let bounds = modes::error_bounds_of(&model, &form.eigenvalues);
+        let exact = state_matrix::eigenvalues(&model).expect("eigenvalues");
+        let bounds = state_matrix::error_bounds_of(&model, &form.eigenvalues);
         for ((own, other), bound) in form
             .eigenvalues
             .iter()

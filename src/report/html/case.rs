@@ -3,9 +3,11 @@
 use serde::Serialize;
 
 use super::{CaseFiles, escape};
-use crate::report::stability::{agreement, certain, decimal, largest_error, mode, reasons, title};
+use crate::report::stability::{
+    agreement, certain, conclusion, largest_error, mode, power, reasons, title,
+};
 use crate::report::stability_figure;
-use crate::stability::comparison::{Comparison, Method, UnstableRange, angle, listed};
+use crate::stability::comparison::{Comparison, Method, UnstableRange, angle};
 
 /// What the template is given of a case.
 #[derive(Serialize)]
@@ -20,7 +22,6 @@ pub struct CaseView {
     figure: String,
     conclusion: String,
     unstable: Vec<UnstableView>,
-    undecided: Option<String>,
     methods: Vec<MethodView>,
     remarks: Vec<String>,
     /// The text of the case file.
@@ -53,7 +54,6 @@ impl CaseView {
     /// If its curves cannot be drawn.
     pub fn new(case: &CaseFiles) -> Result<Self, String> {
         let comparison = &case.comparison;
-        let undecided = listed(&comparison.undecided);
         let [file, table] = &case.files;
         Ok(CaseView {
             name: stability_figure::name(&comparison.case).to_owned(),
@@ -62,7 +62,6 @@ impl CaseView {
             figure: figure(comparison)?,
             conclusion: conclusion(comparison),
             unstable: comparison.unstable.iter().map(unstable).collect(),
-            undecided: (!undecided.is_empty()).then_some(undecided),
             methods: methods(comparison),
             remarks: comparison.remarks.iter().map(ToString::to_string).collect(),
             file: escape(&file.text),
@@ -93,21 +92,6 @@ fn figure(comparison: &Comparison) -> Result<String, String> {
     Ok(format!("{opening}{attributes}{title}{rest}"))
 }
 
-fn conclusion(comparison: &Comparison) -> String {
-    let name = comparison.coefficient_name();
-    let points = comparison.points.iter();
-    let least = points.min_by(|one, other| one.exact.value.total_cmp(&other.exact.value));
-    let least = least.map_or(String::new(), |point| {
-        let (value, place) = (decimal(point.exact.value, 4), angle(point.angle));
-        format!("the least {name} is {value}, at {place}°")
-    });
-    match comparison.unstable.len() {
-        0 => format!("No angle of the sweep is unstable: {least}."),
-        1 => format!("The section gallops in one range of angles: {least}."),
-        count => format!("The section gallops in {count} ranges of angles: {least}."),
-    }
-}
-
 fn unstable(own: &UnstableRange) -> UnstableView {
     let mode_of = own.mode.as_ref();
     UnstableView {
@@ -125,7 +109,7 @@ fn methods(comparison: &Comparison) -> Vec<MethodView> {
     let exact = MethodView {
         name: "state matrix",
         source: "Eq. (16)",
-        agreement: format!("the standard; {name} is certain to {error:.0e}"),
+        agreement: format!("the standard; {name} is certain to {}", power(error)),
         reasons: Vec::new(),
     };
     let others = comparison.agreements.iter().map(|own| {

@@ -53,8 +53,14 @@ impl Repetition {
             ));
         }
         let mut files = Vec::new();
-        for audit in request.audits {
-            files.extend(audit.sources.iter().map(|source| file(source, "document")));
+        for source in request.audits.iter().flat_map(|audit| &audit.sources) {
+            // Documents import each other.
+            if !files
+                .iter()
+                .any(|known: &FileView| known.path == source.path)
+            {
+                files.push(file(source, "document"));
+            }
         }
         let case = request.case.map(|case| &case.files);
         if let Some([case_file, table]) = case {

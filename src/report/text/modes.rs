@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::report::modes::ModesFound;
-use crate::report::stability::{decimal, decimals};
+use crate::report::stability::{bound_with, decimal, decimals};
 
 /// Decimals where no error is known.
 const USUAL_DECIMALS: usize = 9;
@@ -16,7 +16,9 @@ pub fn modes(found: &ModesFound) -> String {
     let mut text = String::new();
     for (place, (value, error)) in found.eigenvalues.iter().enumerate() {
         let decimals = error.map_or(USUAL_DECIMALS, |error| decimals(error, MOST_DECIMALS));
-        let error = error.map_or(String::new(), |error| format!(", within {error:.0e}"));
+        let error = error.map_or(String::new(), |error| {
+            format!(", within {}", bound_with(error, decimals))
+        });
         text += &format!(
             "λ_{} = {} {} {}i 1/s{error}; {:.6} Hz\n",
             place + 1,
@@ -29,8 +31,10 @@ pub fn modes(found: &ModesFound) -> String {
     if let Some((damping, error)) = found.damping_coefficient {
         let meaning = match error {
             Some(error) if damping.abs() <= error => "neither stable nor unstable for certain",
-            _ if damping < 0.0 => "the section gallops",
-            _ => "the section is stable",
+            Some(_) if damping < 0.0 => "the section gallops",
+            Some(_) => "the section is stable",
+            None if damping < 0.0 => "by this form the section gallops",
+            None => "by this form the section is stable",
         };
         let decimals = error.map_or(USUAL_DECIMALS, |error| decimals(error, MOST_DECIMALS));
         text += &format!("S_3D = {}: {meaning}\n", decimal(damping, decimals));

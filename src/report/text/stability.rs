@@ -1,7 +1,9 @@
 //! Where a section gallops, and how the methods agree, for a terminal.
 
-use crate::report::stability::{agreement, decimal, largest_error, mode, power, reasons, title};
-use crate::stability::comparison::{Comparison, Method, angle, listed};
+use crate::report::stability::{
+    agreement, conclusion, decimal, largest_error, mode, power, reasons, title,
+};
+use crate::stability::comparison::{Comparison, Method, angle};
 
 use super::page::Page;
 use super::palette::{FAINT, PLAIN, STRONG};
@@ -30,22 +32,11 @@ pub fn comparison(comparison: &Comparison, width: usize) -> String {
 
 fn unstable(page: &mut Page, comparison: &Comparison) {
     let name = comparison.coefficient_name();
-    if comparison.unstable.is_empty() {
-        page.gap();
-        let least = comparison
-            .points
-            .iter()
-            .min_by(|one, other| one.exact.value.total_cmp(&other.exact.value));
-        let least = least.map_or(String::new(), |point| {
-            let (value, place) = (decimal(point.exact.value, 4), angle(point.angle));
-            format!("; least {name} = {value} at {place}°")
-        });
-        page.prose(
-            &[],
-            &[Run::words(format!("No angle is unstable{least}."), PLAIN)],
-        );
-    } else {
-        page.heading("Unstable ranges");
+    page.gap();
+    page.prose(&[], &[Run::words(conclusion(comparison), PLAIN)]);
+    if !comparison.unstable.is_empty() {
+        let step = comparison.case.angles.step;
+        page.heading(&format!("Unstable ranges, in steps of {step}°"));
         row(
             page,
             ["angles", "worst at", &name, "frequency", "mode"],
@@ -65,11 +56,6 @@ fn unstable(page: &mut Page, comparison: &Comparison) {
                 false,
             );
         }
-    }
-    if !comparison.undecided.is_empty() {
-        let undecided = listed(&comparison.undecided);
-        let text = format!("Not decided, {name} being smaller than its error: {undecided}");
-        page.prose(&[], &[Run::words(text, PLAIN)]);
     }
 }
 

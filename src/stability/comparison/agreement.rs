@@ -54,6 +54,8 @@ pub enum Reason {
         /// The largest |B|/(2ν) where they differ.
         damping: f64,
     },
+    /// None of these: what is of third order in the damping is left out.
+    ThirdOrder,
     /// The rounding of the coefficients moves the roots.
     IllConditioned {
         /// The largest bound of the error of S.
@@ -93,6 +95,10 @@ impl fmt::Display for Reason {
                 "the damping is up to {damping:.2} of the lowest frequency: the uniform form leaves out what is of \
                  the third order in it"
             ),
+            Reason::ThirdOrder => write!(
+                formatter,
+                "the uniform form leaves out what is of the third order in the damping"
+            ),
             Reason::IllConditioned { error } => write!(
                 formatter,
                 "the companion matrix is ill-conditioned: rounding its coefficients moves S by up to {error:.0e}"
@@ -129,7 +135,7 @@ const ILL_CONDITIONED: f64 = 1e-6;
 
 /// How the other methods agree with the state matrix.
 pub(super) fn agreements(points: &[Point]) -> Vec<Agreement> {
-    // The rounding of a formula of a few operations.
+    // The forms have no bound of their rounding; it is far below what they leave out.
     let rounded = |value: f64| Value {
         value,
         error: 1e-12 * value.abs(),
@@ -218,7 +224,16 @@ fn uniform_reasons(wrong: &[&Point]) -> Vec<Reason> {
     let strong = strong
         .reduce(f64::max)
         .map(|damping| Reason::StrongDamping { damping });
-    held.into_iter().chain(none).chain(strong).collect()
+    let is_unexplained = |point: &&&Point| point.uniform.limitations.is_empty();
+    let third = wrong
+        .iter()
+        .find(is_unexplained)
+        .map(|_| Reason::ThirdOrder);
+    held.into_iter()
+        .chain(none)
+        .chain(strong)
+        .chain(third)
+        .collect()
 }
 
 /// Why the closed form is wrong at these points.

@@ -6,9 +6,9 @@ use crate::stability::coordinate::Coordinate;
 use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
 use crate::stability::error::StabilityError;
 use crate::stability::model::Model;
-use crate::stability::modes;
 use crate::stability::section::Section;
 use crate::stability::sensitivity::weakened_by;
+use crate::stability::state_matrix;
 use crate::stability::tracking::{Mode, follow};
 use crate::stability::uniform_form::uniform_form;
 
@@ -80,10 +80,10 @@ pub(in crate::stability) struct Answers {
 impl Answers {
     pub(in crate::stability) fn new(section: &Section) -> Result<Self, StabilityError> {
         let model = Model::new(section)?;
-        let spectrum = modes::eigenvalues(&model)?;
+        let spectrum = state_matrix::eigenvalues(&model)?;
         let value = |spectrum: &Spectrum| {
             let (value, error) = spectrum.damping_coefficient(section)?;
-            Some(Value { value, error })
+            (value.is_finite() && error.is_finite()).then_some(Value { value, error })
         };
         // Without wind there is no S; that is refused before.
         let exact = value(&spectrum).ok_or(StabilityError::OutOfRange)?;

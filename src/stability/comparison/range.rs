@@ -1,5 +1,6 @@
 //! Angles in a row that have something in common.
 
+use std::cmp::Ordering;
 use std::fmt;
 
 use super::point::{FollowedMode, Point, Value};
@@ -93,5 +94,10 @@ pub(super) fn unstable(points: &[Point]) -> Vec<UnstableRange> {
 
 /// Where the error of S is as large as S.
 pub(super) fn undecided(points: &[Point]) -> Vec<AngleRange> {
-    ranges(points, |point| point.exact.value.abs() <= point.exact.error)
+    ranges(points, |point| {
+        !matches!(
+            point.exact.value.abs().partial_cmp(&point.exact.error),
+            Some(Ordering::Greater)
+        )
+    })
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use toml::de::{DeTable, DeValue};
 
-use super::input::{InputError, Place, meant};
+use crate::stability::input::{InputError, Place, meant};
 
 /// The tables of a case file and their keys.
 pub(super) const KEYS: [(&str, &[&str]); 4] = [

@@ -2,13 +2,13 @@
 
 use serde::Deserialize;
 
-use super::case::Turn;
-use super::case_keys::Lines;
-use super::coordinate::{Coordinate, FreeCoordinates};
-use super::forces::Forces;
-use super::input::InputError;
-use super::interpolation::Interpolation;
-use super::section::Parameters;
+use super::Turn;
+use super::keys::Lines;
+use crate::stability::coordinate::{Coordinate, FreeCoordinates};
+use crate::stability::forces::Forces;
+use crate::stability::input::InputError;
+use crate::stability::interpolation::Interpolation;
+use crate::stability::section::Parameters;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]

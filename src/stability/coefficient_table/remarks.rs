@@ -1,7 +1,7 @@
 //! What is odd about a coefficient table: looked for before it is used.
 
-use super::coefficient_table::{CoefficientTable, Row};
-use super::input::{Place, Remark};
+use super::{CoefficientTable, Row};
+use crate::stability::input::{Place, Remark};
 
 /// Steps above this, in degrees, are said to distort the range in which a section gallops.
 const LONGEST_GOOD_STEP: f64 = 3.0;
@@ -20,7 +20,7 @@ const MOMENT: Column = ("CM", |row| row.moment);
 ///
 /// Looked for are angles that seem to be in radians, derivatives that seem to be per degree, steps too
 /// coarse for derivatives, and jumps at 0°, 180° and 360° of a curve that is its own mirror image.
-/// Quadratic in the number of rows, at 360 of them 0.1 ms.
+/// n log n in the number of rows.
 pub fn remarks(table: &CoefficientTable) -> Vec<Remark> {
     let mut remarks = Vec::new();
     remarks.extend(radians(table));
@@ -30,7 +30,8 @@ pub fn remarks(table: &CoefficientTable) -> Vec<Remark> {
     remarks
 }
 
-fn radians(table: &CoefficientTable) -> Option<Remark> {
+/// Angles that seem to be in radians.
+pub fn radians(table: &CoefficientTable) -> Option<Remark> {
     let rows = table.rows();
     let (first, last) = (rows[0], rows[rows.len() - 1]);
     let largest = first.angle.abs().max(last.angle.abs());
@@ -50,7 +51,7 @@ fn radians(table: &CoefficientTable) -> Option<Remark> {
 /// Columns of derivatives against the slopes of the table, by least squares.
 fn given_slopes(table: &CoefficientTable) -> Vec<Remark> {
     let rows = table.rows();
-    let remark = |slopes: &super::coefficient_table::GivenSlopes| {
+    let remark = |slopes: &super::GivenSlopes| {
         let (name, column) = match slopes.name {
             "dCL" => LIFT,
             "dCD" => DRAG,
@@ -201,9 +202,14 @@ fn is_mirrored(table: &CoefficientTable) -> bool {
     for row in rows {
         let image = turned(-row.angle);
         let is_axis = turned(row.angle + 1e-9) < 2e-9 || (turned(row.angle) - 180.0).abs() < 1e-9;
-        let mut images = rows
-            .iter()
-            .filter(|own| (turned(own.angle) - image).abs() < 1e-9);
+        // The rows are in order: an image is sought once round either way.
+        let mut images = [image - 360.0, image, image + 360.0]
+            .into_iter()
+            .filter_map(|image| {
+                let place = rows.partition_point(|own| own.angle < image - 1e-9);
+                rows.get(place)
+                    .filter(|own| (own.angle - image).abs() < 1e-9)
+            });
         let Some(other) = images.next().filter(|_| !is_axis) else {
             continue;
         };
