@@ -11,6 +11,9 @@ use super::arithmetic::{Arithmetic, square_root};
 /// error of at most HALF_UNIT·|r|, if it is not subnormal.
 const HALF_UNIT: f64 = f64::EPSILON / 2.0;
 
+/// More than what up to six roundings take away from a sum of products that are not negative.
+const ABOVE: f64 = 1.0 + 8.0 * f64::EPSILON;
+
 /// The smallest double above 0; twice the largest rounding error of a subnormal result.
 const SMALLEST: f64 = f64::from_bits(1);
 
@@ -57,7 +60,12 @@ impl Bounded {
     /// A value with the bounds of what it inherits from its operands and of its own rounding.
     #[inline]
     fn new(value: f64, inherited: f64, rounding: f64) -> Self {
-        let error = sum_above(inherited, rounding);
+        Bounded::known(value, sum_above(inherited, rounding))
+    }
+
+    /// A value with a bound, if that is one.
+    #[inline]
+    fn known(value: f64, error: f64) -> Self {
         let known = value.is_finite() && !error.is_nan();
         Bounded {
             value,
@@ -110,9 +118,10 @@ impl Add for Bounded {
     #[inline]
     fn add(self, other: Self) -> Self {
         let value = self.value + other.value;
+        // A sum with 0 is exact, and so is a subnormal one.
         let exact = self.value == 0.0 || other.value == 0.0;
-        let rounding = if exact { 0.0 } else { rounding(value) };
-        Bounded::new(value, sum_above(self.error, other.error), rounding)
+        let rounding = if exact { 0.0 } else { HALF_UNIT * value.abs() };
+        Bounded::known(value, (self.error + other.error + rounding) * ABOVE)
     }
 }
 
@@ -132,17 +141,17 @@ impl Mul for Bounded {
     fn mul(self, other: Self) -> Self {
         // (a + δ)(b + ε) − ab = aε + bδ + δε
         let value = self.value * other.value;
-        let first = product_above(self.value.abs(), other.error);
-        let second = product_above(other.value.abs(), self.error);
-        let third = product_above(self.error, other.error);
-        let inherited = sum_above(sum_above(first, second), third);
+        let inherited = self.value.abs() * other.error
+            + other.value.abs() * self.error
+            + self.error * other.error;
         let exact = self.value == 0.0 || other.value == 0.0;
-        let rounding = if exact {
+        // Each of four products and the value may lose half of the smallest double.
+        let rounding = if exact && self.error == 0.0 && other.error == 0.0 {
             0.0
         } else {
-            rounding_with_underflow(value)
+            HALF_UNIT * value.abs() + 4.0 * SMALLEST
         };
-        Bounded::new(value, inherited, rounding)
+        Bounded::known(value, (inherited + rounding) * ABOVE)
     }
 }
 
