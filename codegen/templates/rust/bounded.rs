@@ -144,9 +144,9 @@ impl Mul for Bounded {
         let inherited = self.value.abs() * other.error
             + other.value.abs() * self.error
             + self.error * other.error;
-        let exact = self.value == 0.0 || other.value == 0.0;
+        let is_zero = |own: Self| own.value == 0.0 && own.error == 0.0;
         // Each of four products and the value may lose half of the smallest double.
-        let rounding = if exact && self.error == 0.0 && other.error == 0.0 {
+        let rounding = if is_zero(self) || is_zero(other) {
             0.0
         } else {
             HALF_UNIT * value.abs() + 4.0 * SMALLEST
