@@ -85,10 +85,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
 
 fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
     let values = values(&arguments.set)?;
-    let needed = needed(&values, arguments.method != Method::Closed);
-    let missing: Vec<&str> = needed
-        .iter()
-        .copied()
+    let missing: Vec<&str> = needed(&values, arguments.method != Method::Closed)
+        .into_iter()
         .filter(|name| !values.contains_key(*name))
         .collect();
     if !missing.is_empty() {
@@ -108,9 +106,9 @@ fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
         _ => by_spectrum("state", state_matrix::eigenvalues(&model), &section),
     }
     .map_err(refuse)?;
-    let unused = values
-        .keys()
-        .filter(|name| !needed.contains(&name.as_str()));
+    // What a form leaves out is used by its warnings and bounds.
+    let used = needed(&values, true);
+    let unused = values.keys().filter(|name| !used.contains(&name.as_str()));
     let unused: Vec<&str> = unused.map(String::as_str).collect();
     if !unused.is_empty() {
         found

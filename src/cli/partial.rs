@@ -122,6 +122,30 @@ impl Partial {
         Ok((rows > 0).then_some(Found { rows, last }))
     }
 
+    /// What interrupted runs of other computations left beside the target.
+    pub fn others(&self) -> Vec<PathBuf> {
+        let name = |path: &Path| {
+            path.file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned()
+        };
+        let target = name(&self.target);
+        let is_other = |path: &PathBuf| {
+            let is_part =
+                name(path).starts_with(&format!("{target}.")) && name(path).ends_with(".part");
+            is_part && self.path.as_ref() != Some(path)
+        };
+        let entries = fs::read_dir(folder(&self.target))
+            .into_iter()
+            .flatten()
+            .flatten();
+        let own = |entry: fs::DirEntry| self.target.with_file_name(entry.file_name());
+        let mut others: Vec<PathBuf> = entries.map(own).filter(is_other).collect();
+        others.sort();
+        others
+    }
+
     /// Adds whole rows.
     pub fn write(&mut self, rows: &str) -> io::Result<()> {
         self.file.write_all(rows.as_bytes())
@@ -153,25 +177,6 @@ fn folder(path: &Path) -> &Path {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     }
-}
-
-/// The files of interrupted runs beside a target, other than its own.
-pub fn others(target: &Path, identity: &str) -> Vec<PathBuf> {
-    let Some(name) = target.file_name().and_then(|name| name.to_str()) else {
-        return Vec::new();
-    };
-    let own = format!("{name}.{identity}.part");
-    let is_other = |path: &PathBuf| {
-        let other = path
-            .file_name()
-            .and_then(|other| other.to_str())
-            .unwrap_or_default();
-        other != own && other.starts_with(&format!("{name}.")) && other.ends_with(".part")
-    };
-    let entries = fs::read_dir(folder(target)).into_iter().flatten().flatten();
-    let mut others: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(is_other).collect();
-    others.sort();
-    others
 }
 
 /// `sweep.csv.1f0a….part` for `sweep.csv`.

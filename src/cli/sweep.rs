@@ -17,7 +17,7 @@ use crate::stability::variable::Variable;
 use super::Outcome;
 use super::case::{case_and_files, refuse};
 use super::output::{complain, finish, reason, stream, wrong};
-use super::partial::{Conversion, Left, Partial, others};
+use super::partial::{Conversion, Left, Partial};
 
 /// Computes a case at all combinations of values of its quantities
 ///
@@ -156,7 +156,7 @@ fn to_file(grid: &Grid, path: &Path, identity: &str) -> Outcome {
             return unwritable(&error, help);
         }
     };
-    for other in others(path, identity) {
+    for other in partial.others() {
         let other = other.display();
         complain(&format!(
             "{other} is left of a sweep with other inputs that was interrupted: delete it if you need it no more\n"
@@ -252,6 +252,14 @@ fn identity(arguments: &Arguments, files: &[SourceFile; 2]) -> String {
 /// How rows become a file with this name.
 fn conversion(path: &Path) -> Result<Option<Conversion>, Outcome> {
     match path.extension().and_then(|extension| extension.to_str()) {
+        #[cfg(feature = "parquet")]
+        Some("parquet") if path.exists() && !path.is_file() => Err(wrong(
+            &format!(
+                "`{}` is no regular file: Parquet is not written row by row",
+                path.display()
+            ),
+            "name a file, or a pipe whose name does not end in .parquet",
+        )),
         #[cfg(feature = "parquet")]
         Some("parquet") => Ok(Some(super::parquet::from_csv)),
         #[cfg(not(feature = "parquet"))]

@@ -6,8 +6,8 @@ use crate::stability::comparison::{Comparison, Point};
 use super::figure::{Curve, Figure, Stroke};
 use super::stability::title;
 
-/// S against the angle of attack by the state matrix, the companion matrix, the closed forms and the uniform form; what is
-/// below 0 is unstable, and shaded.
+/// S against the angle of attack by the state matrix, the companion matrix, the closed forms and the uniform
+/// form; what is below 0 is unstable, and shaded.
 pub fn figure(comparison: &Comparison) -> Figure {
     let curve = |label: &str, stroke, value: &dyn Fn(&Point) -> Option<f64>| Curve {
         label: label.into(),

@@ -5,7 +5,7 @@ mod point;
 mod range;
 
 pub use agreement::{Agreement, Method, Reason};
-pub(super) use point::Answers;
+pub(super) use point::{Answers, modes_of};
 pub use point::{FollowedMode, Point, Value};
 pub use range::{AngleRange, UnstableRange, angle, listed};
 

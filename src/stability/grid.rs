@@ -5,7 +5,7 @@ use super::case::Case;
 use super::closed_form::{Estimate, closed_form};
 use super::coefficient_table::CoefficientTable;
 use super::companion;
-use super::comparison::Value;
+use super::comparison::{Value, modes_of};
 use super::coordinate::Coordinate;
 use super::error::StabilityError;
 use super::input::{InputError, Place};
@@ -13,7 +13,6 @@ use super::interpolation::CoefficientCurves;
 use super::model::Model;
 use super::section::{Parameters, Section};
 use super::state_matrix;
-use super::tracking::Mode;
 use super::uniform_form::uniform_form;
 use super::variable::Variable;
 
@@ -77,8 +76,9 @@ impl<'a> Grid<'a> {
     ///
     /// # Errors
     ///
-    /// If two axes set the same quantity or one sets nothing, if there are more than [`MOST_POINTS`] points, if an angle is outside
-    /// of the table, or if a section at a corner of the grid is not possible: then none within is in doubt.
+    /// If two axes set the same quantity or one sets nothing, if there are more than [`MOST_POINTS`]
+    /// points, if an angle is outside of the table, or if a section at a corner of the grid is not possible:
+    /// then none within is in doubt.
     pub fn new(
         case: &'a Case,
         table: &CoefficientTable,
@@ -139,11 +139,8 @@ impl<'a> Grid<'a> {
         let mut corners = vec![Vec::new()];
         for axis in others {
             let values = axis.values();
-            let ends = if values.len() > 1 {
-                vec![values[0], values[values.len() - 1]]
-            } else {
-                values.to_vec()
-            };
+            let mut ends = vec![values[0], values[values.len() - 1]];
+            ends.dedup();
             let with = |corner: &Vec<f64>| -> Vec<Vec<f64>> {
                 ends.iter()
                     .map(|&end| [corner.as_slice(), &[end]].concat())
@@ -302,12 +299,11 @@ impl<'a> Grid<'a> {
         }
         if let Ok(spectrum) = state_matrix::eigenvalues(&model) {
             point.exact = spectrum.damping_coefficient(section).map(value);
-            let pairs = spectrum.one_of_each_pair();
-            let critical = pairs.max_by(|one, other| one.value.re.total_cmp(&other.value.re));
-            point.critical = critical.and_then(|own| {
-                let mode = Mode::new(&model, own.value, None)?;
-                Some((mode.frequency(), mode.mostly(section)))
-            });
+            let modes = modes_of(&model, &spectrum)
+                .into_iter()
+                .map(|(mode, _)| mode);
+            let critical = modes.max_by(|one, other| one.value.re.total_cmp(&other.value.re));
+            point.critical = critical.map(|mode| (mode.frequency(), mode.mostly(section)));
         }
     }
 }

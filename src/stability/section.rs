@@ -158,14 +158,15 @@ impl Section {
     }
 
     /// S = −4 m λ_R/(ρ D U), the damping coefficient of a real part λ_R in 1/s, Eq. (13) and §4.2;
-    /// `None` without wind.
+    /// `None` without wind, or if it is beyond the doubles.
     ///
     /// With the largest real part of all modes it is S_3D (S_2D for two free coordinates), with the
     /// error of that real part its error but for the sign. The section gallops if S_3D < 0.
     pub fn damping_coefficient(&self, real_part: f64) -> Option<f64> {
         let p = &self.0;
         let wind = p.air_density * p.reference_dimension * p.wind_speed;
-        (wind > 0.0).then(|| -4.0 * p.mass * real_part / wind)
+        let coefficient = -4.0 * p.mass * real_part / wind;
+        (wind > 0.0 && coefficient.is_finite()).then_some(coefficient)
     }
 }
 

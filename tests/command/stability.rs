@@ -189,6 +189,8 @@ fn what_modes_cannot_do_is_said() {
     let (status, _, err) = modes(&detuned, &["--method", "closed"]);
     assert_eq!(status, Some(2));
     assert!(err.contains("perfect tuning"), "{err}");
+    let (_, out, _) = modes(&SECTION, &["--method", "closed"]);
+    assert!(!out.contains("did not matter"), "{out}");
     let (_, out, _) = modes(&SECTION, &["--set", "C_D=1"]);
     assert!(out.contains("C_D did not matter"), "{out}");
 }
@@ -263,4 +265,18 @@ fn all_figures_of_a_case_are_drawn() {
     let (status, _, err) = run(&["figures", "none.toml", "--out", out_path]);
     assert_eq!(status, Some(2));
     assert!(err.contains("there is no such file"), "{err}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn results_that_find_no_room_are_an_error() {
+    let case = folder("no_room").join("tuned.toml");
+    let full = std::fs::File::create("/dev/full").expect("a device");
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_sextic"))
+        .args(["stability", case.to_str().expect("a path")])
+        .stdout(full)
+        .output()
+        .expect("it runs");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("standard output cannot be written"));
 }

@@ -111,6 +111,17 @@ fn methods_that_do_not_apply_and_no_wind_leave_empty_cells() {
             .all(|row| row.ends_with(",damped") && !row.contains(",,")),
         "{tuned}"
     );
+    let worst = run(&[
+        "sweep",
+        path(&detuned),
+        "--vary",
+        "U=9",
+        "--method",
+        "closed",
+        "--worst",
+    ])
+    .1;
+    assert_eq!(worst, "U,alpha_deg,s3d_closed,closed_limits\n9,,,detuned\n");
     let calm = of(&detuned, "U=0:1:2", "state");
     let rows: Vec<&str> = calm.lines().collect();
     assert!(

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use sextic::stability::case::Case;
 use sextic::stability::coefficient_table::CoefficientTable;
 use sextic::stability::coefficient_table::remarks::remarks;
+use sextic::stability::comparison::compare;
 
 /// The folder of the cases that come with the project.
 pub fn shipped() -> PathBuf {
@@ -135,4 +136,27 @@ proptest::proptest! {
         let _ = CoefficientTable::read("any.csv", &text).map(|table| remarks(&table));
         let _ = Case::read("any.toml", &text);
     }
+}
+
+#[test]
+fn mistaken_units_are_named() {
+    let remarks = |old: &str, new: &str| -> String {
+        let text = read(&shipped().join("detuned.toml")).replace(old, new);
+        let case = Case::read("case.toml", &text).expect("a case");
+        case.remarks().iter().map(ToString::to_string).collect()
+    };
+    assert_eq!(remarks("", ""), "");
+    assert!(
+        remarks("zeta_x = 0.008", "zeta_x = 0.8").contains("zeta_x = 0.8 is a damping of 80 %")
+    );
+    assert!(remarks("D = 0.05", "D = 50").contains("r = 0.0178 m beside D = 50 m"));
+
+    // A table in radians ends before the sweep does: that is not what is wrong with it.
+    let (case, _) = shipped_case("detuned.toml", &[]);
+    let rows =
+        (0..40).map(|step| format!("{},0,1,0\n", f64::from(step) * std::f64::consts::PI / 39.0));
+    let table = format!("alpha_deg,CL,CD,CM\n{}", rows.collect::<String>());
+    let table = CoefficientTable::read("radians.csv", &table).expect("a table");
+    let error = compare(&case, &table).expect_err("it is too short");
+    assert!(error.help.contains("looks like radians"), "{error:?}");
 }

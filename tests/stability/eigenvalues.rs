@@ -4,11 +4,11 @@ use sextic::stability::companion;
 use sextic::stability::eigenvalue::{Eigenvalue, Spectrum};
 use sextic::stability::error::StabilityError;
 use sextic::stability::model::Model;
-use sextic::stability::section::Section;
+use sextic::stability::section::{Parameters, Section};
 use sextic::stability::state_matrix;
 
 use super::oracle::{Long, characteristic_polynomial, permutations, roots};
-use super::sections::{KINDS, Numbers, hard_section};
+use super::sections::{KINDS, Numbers, hard_section, section};
 
 /// The largest ratio of distance to stated error under the best assignment of exact eigenvalues.
 pub fn exceeds(computed: &[Eigenvalue], exact: &[Long]) -> f64 {
@@ -92,4 +92,16 @@ fn both_ways_agree_within_their_bounds_and_none_hangs() {
             );
         }
     }
+}
+
+#[test]
+fn wind_that_is_hardly_a_number_is_out_of_range() {
+    let usual = section(&mut Numbers::new(31));
+    let wind_speed = 1e-310;
+    let section = Section::new(Parameters {
+        wind_speed,
+        ..usual
+    });
+    let model = Model::new(&section.expect("a section"));
+    assert!(matches!(model, Err(StabilityError::OutOfRange)));
 }

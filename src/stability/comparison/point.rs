@@ -83,9 +83,9 @@ impl Answers {
         let spectrum = state_matrix::eigenvalues(&model)?;
         let value = |spectrum: &Spectrum| {
             let (value, error) = spectrum.damping_coefficient(section)?;
-            (value.is_finite() && error.is_finite()).then_some(Value { value, error })
+            Some(Value { value, error })
         };
-        // Without wind there is no S; that is refused before.
+        // No wind is refused before.
         let exact = value(&spectrum).ok_or(StabilityError::OutOfRange)?;
         let companion = companion::eigenvalues(&model).ok();
         let closed = Estimate::new(section, closed_form(section));
@@ -119,7 +119,7 @@ impl Answers {
 }
 
 /// The modes of a spectrum, each with S.
-fn modes_of(model: &Model, spectrum: &Spectrum) -> Vec<(Mode, Value)> {
+pub(in crate::stability) fn modes_of(model: &Model, spectrum: &Spectrum) -> Vec<(Mode, Value)> {
     let section = model.section();
     let pairs: Vec<&Eigenvalue> = spectrum.one_of_each_pair().collect();
     let mode = |(index, own): (usize, &&Eigenvalue)| {
