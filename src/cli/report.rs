@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use crate::report::gallery::of_case;
 use crate::report::html::{self, CaseFiles, Request};
 use crate::report::summary::Summary;
 use crate::stability::comparison::compare;
@@ -53,7 +54,12 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let case = arguments.case.as_ref().map(|path| {
         let (case, table, files) = case_and_files(path)?;
         let comparison = compare(&case, &table).map_err(|error| refuse(&error))?;
-        Ok(CaseFiles { comparison, files })
+        let figures = of_case(&comparison, &table).map_err(|error| refuse(&error))?;
+        Ok(CaseFiles {
+            comparison,
+            figures,
+            files,
+        })
     });
     let case = match case.transpose() {
         Ok(case) => case,

@@ -47,7 +47,7 @@ pub fn comparison(comparison: &Comparison) -> String {
             optional(critical.map(|mode| decimal(mode.frequency, 6))),
         ];
         for label in 1..=modes {
-            let mode = point.modes.iter().find(|mode| mode.label == label);
+            let mode = point.mode(label);
             cells.push(optional(mode.map(|mode| certain(mode.damping))));
             cells.push(optional(mode.map(|mode| decimal(mode.frequency, 6))));
         }

@@ -16,6 +16,9 @@ pub type Named = (String, Figure);
 /// Styles for three modes, told apart without colour.
 const MODES: [Stroke; 3] = [Stroke::Solid, Stroke::Dashed, Stroke::Dotted];
 
+const DAMPING: &str = "S of each mode = −4m Re λ / (ρDU), dimensionless";
+const FREQUENCY: &str = "frequency (Hz)";
+
 /// Steps of the eccentricity, and the largest.
 const STEPS: usize = 400;
 const LARGEST: f64 = 0.6;
@@ -38,15 +41,62 @@ pub fn figures(case: &Case, table: &CoefficientTable) -> Result<Vec<Named>, Inpu
         ));
     }
     figures.push(("stability".into(), stability_figure::figure(&comparison)));
-    figures.push((
-        "inertial_coupling".into(),
-        inertial_coupling(&comparison, table)?,
-    ));
-    figures.extend(offset(&comparison, table)?);
+    figures.extend(of_case(&comparison, table)?);
     if case.parameters.free.are_all() {
         figures.push(("closed_form".into(), closed_form(case, table)?));
     }
     Ok(figures)
+}
+
+/// The figures of a case beside that of its stability by all methods: S and frequency of every mode against
+/// the angle; with and without inertial coupling; the modes against the offset of the mass centre.
+///
+/// # Errors
+///
+/// As [`compare`].
+pub fn of_case(
+    comparison: &Comparison,
+    table: &CoefficientTable,
+) -> Result<Vec<Named>, InputError> {
+    let mut figures = modes(comparison);
+    figures.push((
+        "inertial_coupling".into(),
+        inertial_coupling(comparison, table)?,
+    ));
+    figures.extend(offset(comparison, table)?);
+    Ok(figures)
+}
+
+/// S and frequency of every mode against the angle.
+fn modes(comparison: &Comparison) -> Vec<Named> {
+    let base = stability_figure::figure(comparison);
+    let points = || comparison.points.iter();
+    let damping = by_mode(|label| {
+        points()
+            .map(|point| Some((point.angle, point.mode(label)?.damping.value)))
+            .collect()
+    });
+    let frequency = by_mode(|label| {
+        points()
+            .map(|point| Some((point.angle, point.mode(label)?.frequency)))
+            .collect()
+    });
+    let of_frequency = Figure {
+        title: base.title.clone(),
+        x_label: base.x_label.clone(),
+        y_label: FREQUENCY.into(),
+        curves: frequency,
+        ..Figure::default()
+    };
+    let of_damping = Figure {
+        y_label: DAMPING.into(),
+        curves: damping,
+        ..base
+    };
+    vec![
+        ("damping_of_modes".into(), of_damping),
+        ("frequencies_of_modes".into(), of_frequency),
+    ]
 }
 
 /// Fig. 11: the frequencies of Eq. (15) against the eccentricity.
@@ -135,19 +185,28 @@ fn offset(comparison: &Comparison, table: &CoefficientTable) -> Result<Vec<Named
         angle(worst)
     );
     let x_label = "offset of the mass centre, L_g / r".to_string();
+    let of_modes = |value: fn(&FollowedMode) -> f64| {
+        by_mode(|label| {
+            let value = |point: &OffsetPoint| {
+                let mode = point.modes.iter().find(|mode| mode.label == label)?;
+                Some((point.eccentricity, value(mode)))
+            };
+            points.iter().map(value).collect()
+        })
+    };
     let damping = Figure {
         title: title.clone(),
         x_label: x_label.clone(),
-        y_label: "S of each mode = −4m Re λ / (ρDU), dimensionless".into(),
+        y_label: DAMPING.into(),
         shaded: Some("unstable".into()),
-        curves: by_mode(&points, |mode| mode.damping.value),
+        curves: of_modes(|mode| mode.damping.value),
         ..Figure::default()
     };
     let frequency = Figure {
         title,
         x_label,
-        y_label: "frequency (Hz)".into(),
-        curves: by_mode(&points, |mode| mode.frequency),
+        y_label: FREQUENCY.into(),
+        curves: of_modes(|mode| mode.frequency),
         ..Figure::default()
     };
     Ok(vec![
@@ -156,20 +215,20 @@ fn offset(comparison: &Comparison, table: &CoefficientTable) -> Result<Vec<Named
     ])
 }
 
-fn by_mode(points: &[OffsetPoint], value: impl Fn(&FollowedMode) -> f64) -> Vec<Curve> {
+/// A curve a mode, in pieces where it is not there.
+fn by_mode(points: impl Fn(usize) -> Vec<Option<(f64, f64)>>) -> Vec<Curve> {
     let curve = |(place, stroke): (usize, Stroke)| {
-        let of = |point: &OffsetPoint| {
-            let mode = point.modes.iter().find(|mode| mode.label == place + 1)?;
-            Some((point.eccentricity, value(mode)))
-        };
+        let points = points(place + 1);
+        let pieces = points.split(|point| point.is_none());
+        let pieces = pieces.map(|piece| piece.iter().copied().flatten().collect::<Vec<_>>());
         Curve {
             label: format!("mode {}", place + 1),
             stroke,
-            pieces: vec![points.iter().filter_map(of).collect()],
+            pieces: pieces.filter(|piece| !piece.is_empty()).collect(),
         }
     };
     let curves = MODES.into_iter().enumerate().map(curve);
-    curves.filter(|curve| !curve.pieces[0].is_empty()).collect()
+    curves.filter(|curve| !curve.pieces.is_empty()).collect()
 }
 
 /// As Figs. 13 and 14: all frequencies those of heave, no structural damping.

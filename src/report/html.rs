@@ -19,6 +19,7 @@ use crate::derivation::audit::Audit;
 use crate::derivation::diagnostic::SourceFile;
 use crate::stability::comparison::Comparison;
 
+use super::gallery::Named;
 use case::CaseView;
 use document::DocumentView;
 use repetition::Repetition;
@@ -56,6 +57,8 @@ pub struct Request<'a> {
 pub struct CaseFiles {
     /// What the methods say of it.
     pub comparison: Comparison,
+    /// Its figures beside that of its stability.
+    pub figures: Vec<Named>,
     /// The case file and its table of coefficients.
     pub files: [SourceFile; 2],
 }

@@ -3,6 +3,8 @@
 use serde::Serialize;
 
 use super::{CaseFiles, escape};
+use crate::report::figure::Figure;
+use crate::report::gallery::Named;
 use crate::report::stability::{
     agreement, certain, conclusion, largest_error, mode, power, reasons, title,
 };
@@ -20,6 +22,7 @@ pub struct CaseView {
     coefficient: String,
     /// SVG.
     figure: String,
+    figures: Vec<FigureView>,
     conclusion: String,
     unstable: Vec<UnstableView>,
     methods: Vec<MethodView>,
@@ -27,6 +30,13 @@ pub struct CaseView {
     /// The text of the case file.
     file: String,
     table: String,
+}
+
+#[derive(Serialize)]
+struct FigureView {
+    /// SVG.
+    svg: String,
+    caption: &'static str,
 }
 
 #[derive(Serialize)]
@@ -59,7 +69,16 @@ impl CaseView {
             name: stability_figure::name(&comparison.case).to_owned(),
             title: title(comparison),
             coefficient: comparison.coefficient_name(),
-            figure: figure(comparison)?,
+            figure: drawn(
+                &stability_figure::figure(comparison),
+                "curves",
+                &format!(
+                    "{} against the angle of attack. {}",
+                    comparison.coefficient_name(),
+                    conclusion(comparison)
+                ),
+            )?,
+            figures: case.figures.iter().map(figure).collect::<Result<_, _>>()?,
             conclusion: conclusion(comparison),
             unstable: comparison.unstable.iter().map(unstable).collect(),
             methods: methods(comparison),
@@ -70,17 +89,12 @@ impl CaseView {
     }
 }
 
-/// The curves as SVG that a reader can be told about.
-fn figure(comparison: &Comparison) -> Result<String, String> {
-    let svg = stability_figure::figure(comparison).svg()?;
-    let title = format!(
-        "{} against the angle of attack. {}",
-        comparison.coefficient_name(),
-        conclusion(comparison)
-    );
+/// A figure as SVG that a reader can be told about; `name` is unique on the page.
+fn drawn(figure: &Figure, name: &str, title: &str) -> Result<String, String> {
+    let svg = figure.svg()?;
     let named = format!(
-        r#"<svg role="img" aria-labelledby="curves"><title id="curves">{}</title>"#,
-        escape(&title)
+        r#"<svg role="img" aria-labelledby="{name}"><title id="{name}">{}</title>"#,
+        escape(title)
     );
     let (opening, title) = named.split_at(named.find('>').map_or(0, |end| end));
     let Some((attributes, rest)) = svg
@@ -90,6 +104,27 @@ fn figure(comparison: &Comparison) -> Result<String, String> {
         return Err("the figure is no SVG".into());
     };
     Ok(format!("{opening}{attributes}{title}{rest}"))
+}
+
+fn figure((name, figure): &Named) -> Result<FigureView, String> {
+    let caption = match name.as_str() {
+        "damping_of_modes" => {
+            "The damping of every mode, by the state matrix; modes are numbered by their frequency at the first angle and followed by their shapes"
+        }
+        "frequencies_of_modes" => "The frequency of every mode",
+        "inertial_coupling" => {
+            "What the eccentricity does: the same section with its mass centre at the elastic centre"
+        }
+        "damping_against_offset" => {
+            "The damping of every mode at the worst angle, with the mass centre moved"
+        }
+        "frequencies_against_offset" => {
+            "Their frequencies: where they come close the modes exchange their shapes"
+        }
+        _ => "",
+    };
+    let svg = drawn(figure, name, caption)?;
+    Ok(FigureView { svg, caption })
 }
 
 fn unstable(own: &UnstableRange) -> UnstableView {

@@ -56,6 +56,11 @@ pub struct Point {
 }
 
 impl Point {
+    /// The mode with a number.
+    pub fn mode(&self, label: usize) -> Option<&FollowedMode> {
+        self.modes.iter().find(|mode| mode.label == label)
+    }
+
     /// The mode with the least damping.
     pub fn critical(&self) -> Option<&FollowedMode> {
         let damping = |mode: &&FollowedMode| mode.damping.value;
