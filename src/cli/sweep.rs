@@ -2,9 +2,10 @@
 
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Args, ValueEnum};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
@@ -77,7 +78,7 @@ Columns, after the quantities and the angle, as far as their methods are asked:
   closed_limits, uniform_limits: what speaks against the form, in words: held (a coordinate), detuned,
   damped (structural damping is left out), eccentricity (below the aerodynamic damping), strong (damping)
 
-An interrupted sweep leaves its rows in a file beside the other one, whose name ends in .part.
+An interrupted sweep says so, and leaves its rows in a file beside the other one, whose name ends in .part.
 
 Examples:
   sextic sweep case.toml --vary L_g=0:0.004:200 --vary U=2:40:200 --worst --out sweep.csv
@@ -96,6 +97,9 @@ const FEWEST_ROWS: u64 = 64;
 
 /// So many rows are computed by one core at a time.
 const CHUNK: usize = 8;
+
+/// Whether the user wants to stop.
+static IS_INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
 /// Computes a sweep and writes its rows.
 pub fn run(arguments: &Arguments) -> Outcome {
@@ -175,12 +179,27 @@ fn to_file(grid: &Grid, path: &Path, identity: &str) -> Outcome {
             0
         }
     };
-    let mut write = |rows: &str| partial.write(rows).map(|()| true);
+    // Where signals cannot be caught, an interruption is silent.
+    let _ = ctrlc::set_handler(|| IS_INTERRUPTED.store(true, Ordering::Relaxed));
+    let mut write = |rows: &str| {
+        partial.write(rows)?;
+        match IS_INTERRUPTED.load(Ordering::Relaxed) {
+            true => Err(io::ErrorKind::Interrupted.into()),
+            false => Ok(true),
+        }
+    };
     let written = compute(grid, done, &mut write).and_then(|()| partial.finish(conversion));
     match written {
         Ok(()) => finish(
             &format!("{}: {} rows\n", path.display(), grid.rows()),
             Outcome::AsExpected,
+        ),
+        Err(error) if error.kind() == io::ErrorKind::Interrupted => wrong(
+            &format!(
+                "the sweep was interrupted: `{}` is not there yet",
+                path.display()
+            ),
+            "give the same command again to go on with the rows that were written",
         ),
         Err(error) => unwritable(
             &error,
@@ -195,7 +214,9 @@ fn compute(
     from: u64,
     write: &mut dyn FnMut(&str) -> io::Result<bool>,
 ) -> io::Result<()> {
-    let progress = ProgressBar::new(grid.rows()).with_position(from);
+    let progress = ProgressBar::new(grid.rows())
+        .with_position(from)
+        .with_finish(ProgressFinish::AndClear);
     let style = ProgressStyle::with_template(
         "{bar:40} {percent} %  {human_pos} of {human_len} rows, {eta} left",
     );
@@ -219,7 +240,6 @@ fn compute(
         next = end;
         progress.set_position(next);
     }
-    progress.finish_and_clear();
     Ok(())
 }
 

@@ -1,28 +1,19 @@
 //! Figures as SVG, in the manner of a journal: axes with units, a legend beside the curves, styles of lines
 //! that are told apart without colour.
 
+mod axis;
+mod stroke;
+mod subscript;
+
 use std::error::Error;
-use std::ops::Range;
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-/// How a curve is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stroke {
-    /// A black line.
-    Solid,
-    /// A blue line of dashes.
-    Dashed,
-    /// Hollow circles without a line, at some of the points.
-    Circles,
-    /// Orange crosses without a line, between the circles.
-    Crosses,
-    /// A grey line of dots.
-    Dotted,
-    /// A thin grey line.
-    Thin,
-}
+use axis::{Axis, extent, tick, to_scale, with_margin};
+use stroke::ink;
+
+pub use stroke::Stroke;
 
 /// A curve in pieces, between which there is nothing.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,13 +26,15 @@ pub struct Curve {
     pub pieces: Vec<Vec<(f64, f64)>>,
 }
 
-/// Curves over an axis.
+/// Curves over an axis. In its texts `L_{g}` is L with the subscript g.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
     /// What is shown.
     pub title: String,
     /// The quantity along the horizontal axis, with its unit.
     pub x_label: String,
+    /// Whether the horizontal axis shows degrees, and is marked at parts of a right angle.
+    pub is_angle: bool,
     /// The quantity along the vertical axis, with its unit.
     pub y_label: String,
     /// What is shaded below y = 0, as the legend calls it; `None` if nothing is.
@@ -65,11 +58,6 @@ const RIGHT: i32 = 24;
 const BOTTOM: i32 = 56;
 const FONT: &str = "sans-serif";
 const SHADE: RGBColor = RGBColor(222, 222, 222);
-const BLUE_INK: RGBColor = RGBColor(0, 70, 160);
-const GREY_INK: RGBColor = RGBColor(80, 80, 80);
-const ORANGE_INK: RGBColor = RGBColor(200, 80, 0);
-/// Circles or crosses on a curve, at most.
-const MOST_MARKS: usize = 45;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
@@ -84,7 +72,8 @@ impl Figure {
         self.draw(&mut svg).map_err(|error| error.to_string())?;
         // It is drawn finely, and shown in its size.
         let size = |width: i32, height: i32| format!(r#"width="{width}" height="{height}""#);
-        Ok(svg.replacen(&size(px(WIDTH), px(HEIGHT)), &size(WIDTH, HEIGHT), 1))
+        let svg = svg.replacen(&size(px(WIDTH), px(HEIGHT)), &size(WIDTH, HEIGHT), 1);
+        Ok(subscript::set(&svg))
     }
 
     fn draw(&self, svg: &mut String) -> Result<(), Box<dyn Error>> {
@@ -93,16 +82,17 @@ impl Figure {
         area.fill(&WHITE)?;
         let (head, below) = area.split_vertically(px(HEAD));
         self.draw_head(&head)?;
-        let (x, y) = (self.extent(|point| point.0), self.extent(|point| point.1));
-        let y = if self.shaded.is_some() {
-            y.start.min(0.0)..y.end.max(0.0)
-        } else {
-            y
+        let points = || {
+            let pieces = self.curves.iter().flat_map(|curve| &curve.pieces);
+            pieces.flatten()
         };
-        let margin = 0.05 * (y.end - y.start);
-        let y = y.start - margin..y.end + margin;
+        let x = extent(points().map(|point| point.0));
+        // What is shaded ends at 0.
+        let zero = self.shaded.iter().map(|_| 0.0);
+        let y = with_margin(extent(points().map(|point| point.1).chain(zero)));
         let (x, y) = if self.is_to_scale {
-            to_scale(x, y)
+            let room = [WIDTH - LEFT - RIGHT, HEIGHT - HEAD - BOTTOM];
+            to_scale(x, y, room.map(f64::from))
         } else {
             (x, y)
         };
@@ -112,7 +102,10 @@ impl Figure {
             .margin_bottom(px(8))
             .x_label_area_size(px(BOTTOM - 8))
             .y_label_area_size(px(LEFT - 8))
-            .build_cartesian_2d(x.clone(), y.clone())?;
+            .build_cartesian_2d(
+                Axis::new(x.clone(), self.is_angle),
+                Axis::new(y.clone(), false),
+            )?;
         if self.shaded.is_some() {
             let corners = [(x.start, y.start), (x.end, 0.0)];
             chart.draw_series([Rectangle::new(corners, SHADE.filled())])?;
@@ -121,8 +114,6 @@ impl Figure {
             .configure_mesh()
             .x_desc(&self.x_label)
             .y_desc(&self.y_label)
-            .x_labels(10)
-            .y_labels(9)
             .x_label_formatter(&tick)
             .y_label_formatter(&tick)
             .set_all_tick_mark_size(px(5))
@@ -138,29 +129,11 @@ impl Figure {
         }
         for curve in &self.curves {
             for piece in &curve.pieces {
-                let points = piece.iter().copied();
-                match curve.stroke {
-                    Stroke::Circles => {
-                        let every = piece.len().div_ceil(MOST_MARKS).max(1);
-                        let circle = |point| Circle::new(point, px(4), ink(BLACK, 1));
-                        chart.draw_series(points.step_by(every).map(circle))?;
-                    }
-                    Stroke::Crosses => {
-                        let every = piece.len().div_ceil(MOST_MARKS).max(1);
-                        let cross = |point| Cross::new(point, px(4), ink(ORANGE_INK, 2));
-                        chart.draw_series(points.skip(every / 2).step_by(every).map(cross))?;
-                    }
-                    Stroke::Solid => {
-                        chart.draw_series(LineSeries::new(points, ink(BLACK, 2)))?;
-                    }
-                    Stroke::Thin => {
-                        chart.draw_series(LineSeries::new(points, ink(GREY_INK, 1)))?;
-                    }
-                    stroke => {
-                        let (dash, gap, style) = dashes(stroke);
-                        chart.draw_series(DashedLineSeries::new(points, dash, gap, style))?;
-                    }
-                }
+                let drawn: Vec<_> = piece
+                    .iter()
+                    .map(|point| chart.backend_coord(point))
+                    .collect();
+                curve.stroke.draw(&area, &drawn)?;
             }
         }
         area.present()?;
@@ -169,46 +142,21 @@ impl Figure {
 
     /// The title, and the legend in one line below it.
     fn draw_head(&self, head: &Area<'_>) -> Result<(), Box<dyn Error>> {
-        head.draw(&Text::new(
-            self.title.clone(),
-            (px(72), px(12)),
-            (FONT, px(19)),
-        ))?;
-        let (mut left, middle) = (px(72), px(52));
-        let length = px(36);
-        let label = |left: &mut i32, text: &str| -> Result<(), Box<dyn Error>> {
+        let text = |text: &str, place, pixels| {
+            head.draw(&Text::new(text.to_string(), place, (FONT, px(pixels))))
+        };
+        text(&self.title, (px(LEFT), px(12)), 19)?;
+        let (mut left, middle, length) = (px(LEFT), px(52), px(36));
+        let label = |left: &mut i32, label: &str| {
             let place = (*left + length + px(8), middle - px(6));
-            head.draw(&Text::new(text.to_string(), place, (FONT, px(15))))?;
             // Fonts are the viewer's: room for wide letters.
-            *left += length + px(32) + px(7) * text.chars().count() as i32;
-            Ok(())
+            *left += length + px(32) + px(7) * subscript::length(label) as i32;
+            text(label, place, 15)
         };
         for curve in &self.curves {
-            let line = [(left, middle), (left + length, middle)];
-            match curve.stroke {
-                Stroke::Circles => {
-                    for place in [px(6), px(30)] {
-                        let centre = (left + place, middle);
-                        head.draw(&Circle::new(centre, px(4), ink(BLACK, 1)))?;
-                    }
-                }
-                Stroke::Crosses => {
-                    for place in [px(6), px(30)] {
-                        let centre = (left + place, middle);
-                        head.draw(&Cross::new(centre, px(4), ink(ORANGE_INK, 2)))?;
-                    }
-                }
-                Stroke::Solid => head.draw(&PathElement::new(line, ink(BLACK, 2)))?,
-                Stroke::Thin => head.draw(&PathElement::new(line, ink(GREY_INK, 1)))?,
-                stroke => {
-                    let (dash, gap, style) = dashes(stroke);
-                    for start in (0..length).step_by((dash + gap) as usize) {
-                        let end = (start + dash).min(length);
-                        let part = [(left + start, middle), (left + end, middle)];
-                        head.draw(&PathElement::new(part, style))?;
-                    }
-                }
-            }
+            let sample = curve.stroke.sample(length);
+            let points = sample.map(|place| (left + place, middle));
+            curve.stroke.draw(head, &points)?;
             label(&mut left, &curve.label)?;
         }
         if let Some(shaded) = &self.shaded {
@@ -218,39 +166,6 @@ impl Figure {
         }
         Ok(())
     }
-
-    /// From the least to the largest, and a little of both if they are one.
-    fn extent(&self, part: impl Fn(&(f64, f64)) -> f64) -> Range<f64> {
-        let points = self
-            .curves
-            .iter()
-            .flat_map(|curve| curve.pieces.iter().flatten());
-        let (least, largest) = points.map(part).fold(
-            (f64::INFINITY, f64::NEG_INFINITY),
-            |(least, largest), own| (least.min(own), largest.max(own)),
-        );
-        if largest > least {
-            least..largest
-        } else if least.is_finite() {
-            least - 1.0..least + 1.0
-        } else {
-            0.0..1.0
-        }
-    }
-}
-
-/// Ranges around the same middles, of one scale, so that both fit.
-fn to_scale(x: Range<f64>, y: Range<f64>) -> (Range<f64>, Range<f64>) {
-    let (width, height) = (
-        f64::from(WIDTH - LEFT - RIGHT),
-        f64::from(HEIGHT - HEAD - BOTTOM),
-    );
-    let pixel = ((x.end - x.start) / width).max((y.end - y.start) / height);
-    let around = |range: Range<f64>, pixels: f64| {
-        let (middle, half) = ((range.start + range.end) / 2.0, pixels * pixel / 2.0);
-        middle - half..middle + half
-    };
-    (around(x, width), around(y, height))
 }
 
 /// So many pixels in the units of the drawing.
@@ -258,44 +173,9 @@ fn px(pixels: i32) -> i32 {
     FINE * pixels
 }
 
-fn ink(colour: RGBColor, pixels: i32) -> ShapeStyle {
-    colour.stroke_width(px(pixels) as u32)
-}
-
-/// Lengths of dashes and gaps.
-fn dashes(stroke: Stroke) -> (i32, i32, ShapeStyle) {
-    match stroke {
-        Stroke::Dotted => (px(2), px(3), ink(GREY_INK, 2)),
-        _ => (px(9), px(5), ink(BLUE_INK, 2)),
-    }
-}
-
-/// A number on an axis: no zeros at its end, and a minus sign as wide as a plus.
-fn tick(number: &f64) -> String {
-    let text = format!("{:.6}", number + 0.0);
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    match text {
-        "-0" => "0".to_string(),
-        _ => text.replace('-', "\u{2212}"),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn ticks_have_the_digits_that_say_something() {
-        for (number, text) in [
-            (0.0, "0"),
-            (-1e-9, "0"),
-            (20.0, "20"),
-            (-0.5, "\u{2212}0.5"),
-            (0.30000000000000004, "0.3"),
-        ] {
-            assert_eq!(tick(&number), text);
-        }
-    }
 
     #[test]
     fn figures_of_nothing_and_of_one_point_are_drawn() {
@@ -304,7 +184,8 @@ mod tests {
             let label = "a < b".into();
             let figure = Figure {
                 title: "T".into(),
-                x_label: "x".into(),
+                x_label: "x_{1} and x_{2}".into(),
+                is_angle: true,
                 y_label: "y".into(),
                 shaded: Some("s".into()),
                 is_to_scale: true,
@@ -316,6 +197,10 @@ mod tests {
             };
             let svg = figure.svg().expect("a figure");
             assert!(svg.contains(r#"width="900" height="560""#) && svg.contains("a &lt; b"));
+            let drawing = roxmltree::Document::parse(&svg).expect("well-formed SVG");
+            let texts = drawing.descendants().filter_map(|node| node.text());
+            let texts: Vec<&str> = texts.map(str::trim).collect();
+            assert!(texts.contains(&"1") && texts.contains(&"and x") && texts.contains(&"2"));
         }
     }
 }

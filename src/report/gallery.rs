@@ -84,6 +84,7 @@ fn modes(comparison: &Comparison) -> Vec<Named> {
     let of_frequency = Figure {
         title: base.title.clone(),
         x_label: base.x_label.clone(),
+        is_angle: true,
         y_label: FREQUENCY.into(),
         curves: frequency,
         ..Figure::default()
@@ -114,8 +115,8 @@ fn frequencies() -> Figure {
     };
     Figure {
         title: "Frequencies of a perfectly tuned section without wind".into(),
-        x_label: "offset of the mass centre, L_g / r".into(),
-        y_label: "frequency, ω / ω_n".into(),
+        x_label: "offset of the mass centre, L_{g} / r".into(),
+        y_label: "frequency, ω / ω_{n}".into(),
         curves: vec![
             curve("mode 1", MODES[0], &|e| (1.0 - e).sqrt().recip()),
             curve("mode 2", MODES[1], &|_| 1.0),
@@ -151,11 +152,11 @@ fn inertial_coupling(
     Ok(Figure {
         curves: vec![
             curve(
-                format!("with inertial coupling, L_g/r = {e:.3}"),
+                format!("with inertial coupling, L_{{g}}/r = {e:.3}"),
                 Stroke::Solid,
                 comparison,
             ),
-            curve("without, L_g = 0".into(), Stroke::Dashed, &centred),
+            curve("without, L_{g} = 0".into(), Stroke::Dashed, &centred),
         ],
         ..base
     })
@@ -180,11 +181,11 @@ fn offset(comparison: &Comparison, table: &CoefficientTable) -> Result<Vec<Named
     let points = against_offset(case, coefficients, worst, LARGEST, STEPS)
         .map_err(|error| wrong(error.to_string()))?;
     let title = format!(
-        "{} at the worst angle, α = {}°; modes are numbered at L_g = 0",
+        "{} at the worst angle, α = {}°; modes are numbered at L_{{g}} = 0",
         stability_figure::name(case),
         angle(worst)
     );
-    let x_label = "offset of the mass centre, L_g / r".to_string();
+    let x_label = "offset of the mass centre, L_{g} / r".to_string();
     let of_modes = |value: fn(&FollowedMode) -> f64| {
         by_mode(|label| {
             let value = |point: &OffsetPoint| {
@@ -239,7 +240,10 @@ fn closed_form(case: &Case, table: &CoefficientTable) -> Result<Figure, InputErr
     let is_changed = tuned != *case;
     let figure = stability_figure::figure(&compare(&tuned, table)?);
     let title = match is_changed {
-        true => format!("{}; tuned to f_y, without structural damping", figure.title),
+        true => format!(
+            "{}; tuned to f_{{y}}, without structural damping",
+            figure.title
+        ),
         false => figure.title,
     };
     Ok(Figure { title, ..figure })

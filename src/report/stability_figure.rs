@@ -29,9 +29,9 @@ pub fn figure(comparison: &Comparison) -> Figure {
         }),
     ];
     let symbol = match comparison.free().len() {
-        1 => "S₁D",
-        2 => "S₂D",
-        _ => "S₃D",
+        1 => "S_{1D}",
+        2 => "S_{2D}",
+        _ => "S_{3D}",
     };
     Figure {
         title: {
@@ -40,6 +40,7 @@ pub fn figure(comparison: &Comparison) -> Figure {
             format!("{}{}", name(&comparison.case), rest.unwrap_or_default())
         },
         x_label: "angle of attack α (degrees)".into(),
+        is_angle: true,
         y_label: format!("{symbol} = −4m max Re λ / (ρDU), dimensionless"),
         shaded: Some("unstable".into()),
         curves: curves

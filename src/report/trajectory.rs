@@ -10,7 +10,7 @@ const TURN: f64 = 0.4;
 /// Positions of the body in half a period.
 const SNAPSHOTS: usize = 13;
 
-/// Mode 1, 2 or 3 at α_g + θ_0 = 30°: the path of the elastic centre O, and the line from O through the mass
+/// Mode 1, 2 or 3 at α_{{g}} + θ_{{0}} = 30°: the path of the elastic centre O, and the line from O through the mass
 /// centre, of the length r, at equal intervals of time; in mode 2 a line across it.
 ///
 /// The eigenvectors below Eq. (15), for φ = 30°: (−r sin φ, −r cos φ, 1), (−cot φ, 1, 0),
@@ -48,7 +48,7 @@ pub fn figure(mode: usize) -> Figure {
     };
     let path = [at(0.0), at(PI)].map(|[x, y, _]| (x, y)).to_vec();
     Figure {
-        title: format!("Mode {mode} {what}; α_g + θ_0 = 30°"),
+        title: format!("Mode {mode} {what}; α_{{g}} + θ_{{0}} = 30°"),
         x_label: "x / r".into(),
         y_label: "y / r".into(),
         is_to_scale: true,

@@ -1,7 +1,7 @@
 //! `sextic sweep` as a user runs it: order, interruptions, what is wrong.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 use super::stability::{folder, run};
@@ -130,6 +130,18 @@ fn methods_that_do_not_apply_and_no_wind_leave_empty_cells() {
     );
 }
 
+/// As a user does it at a terminal, where that is possible.
+fn interrupt(child: &mut Child) {
+    let is_asked = cfg!(unix)
+        && Command::new("kill")
+            .args(["-INT", &child.id().to_string()])
+            .status()
+            .is_ok_and(|status| status.success());
+    if !is_asked {
+        child.kill().expect("it is stopped");
+    }
+}
+
 #[test]
 fn an_interrupted_sweep_goes_on() {
     let folder = folder("sweep_interrupted");
@@ -151,6 +163,7 @@ fn an_interrupted_sweep_goes_on() {
     let mut child = Command::new(env!("CARGO_BIN_EXE_sextic"))
         .args(arguments)
         .stdout(Stdio::null())
+        .stderr(Stdio::piped())
         .spawn()
         .expect("it starts");
     let started = Instant::now();
@@ -158,8 +171,13 @@ fn an_interrupted_sweep_goes_on() {
     while !parts(&folder).iter().any(is_begun) && started.elapsed() < Duration::from_secs(60) {
         std::thread::sleep(Duration::from_millis(1));
     }
-    child.kill().expect("it is stopped");
-    child.wait().expect("it is gone");
+    interrupt(&mut child);
+    let ended = child.wait_with_output().expect("it is gone");
+    if cfg!(unix) {
+        assert_eq!(ended.status.code(), Some(2));
+        let err = String::from_utf8_lossy(&ended.stderr);
+        assert!(err.contains("the sweep was interrupted"), "{err}");
+    }
     let part = parts(&folder).pop().expect("it was not done yet");
     let rows = text(&part);
     let rows = rows.lines().take(5001).map(|row| format!("{row}\n"));

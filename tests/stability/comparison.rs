@@ -245,6 +245,8 @@ fn figures_without_a_case_are_those_of_the_eigenvectors() {
             "trajectory_of_mode_2",
             "trajectory_of_mode_3",
             "stability",
+            "damping_of_modes",
+            "frequencies_of_modes",
             "inertial_coupling",
             "damping_against_offset",
             "frequencies_against_offset",

@@ -26,6 +26,11 @@ impl Page {
         }
     }
 
+    /// Its columns.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
     /// The page as it is written.
     pub fn finish(self) -> String {
         self.text

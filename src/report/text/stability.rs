@@ -7,10 +7,13 @@ use crate::stability::comparison::{Comparison, Method, angle};
 
 use super::page::Page;
 use super::palette::{FAINT, PLAIN, STRONG};
-use super::run::{Run, column};
+use super::run::{Run, column, spaces};
 
 /// As wide as the widest name of a method.
 const METHODS: usize = 13;
+
+/// On narrower pages a table has its cells in prose.
+const TABLE: usize = 70;
 
 /// A page: unstable ranges, agreement of the methods, remarks.
 pub fn comparison(comparison: &Comparison, width: usize) -> String {
@@ -21,10 +24,7 @@ pub fn comparison(comparison: &Comparison, width: usize) -> String {
     if !comparison.remarks.is_empty() {
         page.heading("Warnings");
         for remark in &comparison.remarks {
-            page.prose(
-                &[super::run::spaces(2)],
-                &[Run::words(remark.to_string(), PLAIN)],
-            );
+            page.prose(&[spaces(2)], &[Run::words(remark.to_string(), PLAIN)]);
         }
     }
     page.finish()
@@ -61,6 +61,9 @@ fn unstable(page: &mut Page, comparison: &Comparison) {
 
 fn row(page: &mut Page, cells: [&str; 5], is_heading: bool) {
     let style = if is_heading { FAINT } else { PLAIN };
+    if page.width() < TABLE {
+        return page.prose(&[spaces(2)], &[Run::words(cells.join(", "), style)]);
+    }
     let [angles, worst, damping, frequency, mode] = cells;
     let prefix = [
         column("", 2, style),
