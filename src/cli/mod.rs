@@ -25,6 +25,8 @@ mod source;
 mod stability;
 #[cfg(feature = "stability")]
 mod sweep;
+#[cfg(feature = "stability")]
+mod validity;
 
 use std::process::ExitCode;
 
@@ -76,6 +78,8 @@ enum Command {
     #[cfg(feature = "stability")]
     Modes(modes::Arguments),
     #[cfg(feature = "stability")]
+    Validity(validity::Arguments),
+    #[cfg(feature = "stability")]
     Figures(figures::Arguments),
     #[cfg(feature = "stability")]
     Report(report::Arguments),
@@ -102,6 +106,8 @@ pub fn run() -> ExitCode {
         Command::Sweep(arguments) => sweep::run(&arguments),
         #[cfg(feature = "stability")]
         Command::Modes(arguments) => modes::run(&arguments),
+        #[cfg(feature = "stability")]
+        Command::Validity(arguments) => validity::run(&arguments),
         #[cfg(feature = "stability")]
         Command::Figures(arguments) => figures::run(&arguments),
         #[cfg(feature = "stability")]

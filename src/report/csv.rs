@@ -5,6 +5,7 @@ use std::fmt::Write;
 use crate::stability::closed_form::Limitation;
 use crate::stability::comparison::{Comparison, angle};
 use crate::stability::grid::{Grid, GridPoint};
+use crate::stability::validity::{Form, Validity};
 
 use super::stability::{bound, certain, decimal};
 
@@ -52,6 +53,28 @@ pub fn comparison(comparison: &Comparison) -> String {
             cells.push(optional(mode.map(|mode| decimal(mode.frequency, 6))));
         }
         text += &(cells.join(",") + "\n");
+    }
+    text
+}
+
+/// A row for each place of a map: e, δ, and for each form its error and at how many angles its sign is wrong.
+pub fn validity(validity: &Validity) -> String {
+    let mut heading = vec!["eccentricity".to_string(), "delta".to_string()];
+    for form in Form::ALL {
+        heading.push(format!("error_{}", form.word()));
+        heading.push(format!("wrong_signs_{}", form.word()));
+    }
+    let mut text = heading.join(",") + "\n";
+    let rows = validity.cells.chunks(validity.eccentricities.len());
+    for (wind, cells) in validity.winds.iter().zip(rows) {
+        for (eccentricity, cell) in validity.eccentricities.iter().zip(cells) {
+            let mut row = vec![format!("{eccentricity:.6e}"), format!("{wind:.6e}")];
+            for own in cell {
+                row.push(format!("{:.2e}", own.error));
+                row.push(own.wrong_signs.to_string());
+            }
+            text += &(row.join(",") + "\n");
+        }
     }
     text
 }

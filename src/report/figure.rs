@@ -2,6 +2,7 @@
 //! that are told apart without colour.
 
 mod axis;
+mod map;
 mod stroke;
 mod subscript;
 
@@ -13,6 +14,7 @@ use plotters::prelude::*;
 use axis::{Axis, extent, tick, to_scale, with_margin};
 use stroke::ink;
 
+pub use map::{Map, Panel};
 pub use stroke::Stroke;
 
 /// A curve in pieces, between which there is nothing.
@@ -68,18 +70,10 @@ impl Figure {
     ///
     /// What the drawing library says.
     pub fn svg(&self) -> Result<String, String> {
-        let mut svg = String::new();
-        self.draw(&mut svg).map_err(|error| error.to_string())?;
-        // It is drawn finely, and shown in its size.
-        let size = |width: i32, height: i32| format!(r#"width="{width}" height="{height}""#);
-        let svg = svg.replacen(&size(px(WIDTH), px(HEIGHT)), &size(WIDTH, HEIGHT), 1);
-        Ok(subscript::set(&svg))
+        drawn([WIDTH, HEIGHT], |area| self.draw(area))
     }
 
-    fn draw(&self, svg: &mut String) -> Result<(), Box<dyn Error>> {
-        let area =
-            SVGBackend::with_string(svg, (px(WIDTH) as u32, px(HEIGHT) as u32)).into_drawing_area();
-        area.fill(&WHITE)?;
+    fn draw(&self, area: &Area<'_>) -> Result<(), Box<dyn Error>> {
         let (head, below) = area.split_vertically(px(HEAD));
         self.draw_head(&head)?;
         let points = || {
@@ -133,10 +127,9 @@ impl Figure {
                     .iter()
                     .map(|point| chart.backend_coord(point))
                     .collect();
-                curve.stroke.draw(&area, &drawn)?;
+                curve.stroke.draw(area, &drawn)?;
             }
         }
-        area.present()?;
         Ok(())
     }
 
@@ -166,6 +159,26 @@ impl Figure {
         }
         Ok(())
     }
+}
+
+/// A drawing of a width and height in pixels as SVG.
+fn drawn(
+    [width, height]: [i32; 2],
+    draw: impl FnOnce(&Area<'_>) -> Result<(), Box<dyn Error>>,
+) -> Result<String, String> {
+    let mut svg = String::new();
+    let whole = || -> Result<(), Box<dyn Error>> {
+        let size = (px(width) as u32, px(height) as u32);
+        let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
+        area.fill(&WHITE)?;
+        draw(&area)?;
+        Ok(area.present()?)
+    };
+    whole().map_err(|error| error.to_string())?;
+    // It is drawn finely, and shown in its size.
+    let size = |width: i32, height: i32| format!(r#"width="{width}" height="{height}""#);
+    let svg = svg.replacen(&size(px(width), px(height)), &size(width, height), 1);
+    Ok(subscript::set(&svg))
 }
 
 /// So many pixels in the units of the drawing.

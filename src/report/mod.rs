@@ -29,4 +29,6 @@ pub mod summary;
 pub mod text;
 #[cfg(feature = "stability")]
 pub mod trajectory;
+#[cfg(feature = "stability")]
+pub mod validity_figure;
 pub mod words;

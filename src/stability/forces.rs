@@ -85,12 +85,14 @@ impl Section {
         let p = self.parameters();
         let omega = p.natural_frequencies[self.free()[0].index()];
         let delta = p.air_density * p.reference_dimension * p.wind_speed / (2.0 * p.mass * omega);
-        let squares = self
-            .scaled_damping()
-            .into_iter()
-            .flatten()
-            .map(|own| own * own);
-        delta * squares.sum::<f64>().sqrt()
+        delta * self.scaled_damping_norm()
+    }
+
+    /// |S_a|, the Frobenius norm of [`Section::scaled_damping`].
+    pub fn scaled_damping_norm(&self) -> f64 {
+        let entries = self.scaled_damping();
+        let squares = entries.as_flattened().iter().map(|own| own * own);
+        squares.sum::<f64>().sqrt()
     }
 }
 

@@ -30,4 +30,5 @@ pub mod spline;
 pub mod state_matrix;
 pub mod tracking;
 pub mod uniform_form;
+pub mod validity;
 pub mod variable;

@@ -3,6 +3,7 @@
 use nalgebra::Matrix3;
 use num_complex::Complex;
 use sextic_evaluators::uniform_cubic::{UniformCubicInputs, uniform_cubic};
+use sextic_evaluators::uniform_cubic_1::{UniformCubic1Inputs, uniform_cubic_1};
 
 use super::closed_form::{ClosedForm, Limitation};
 use super::cubic;
@@ -12,28 +13,90 @@ use super::model::Model;
 /// Damping of a mode above this share of its frequency is not small.
 const STRONG: f64 = 0.1;
 
-/// The second uniform form: λ_k = i ν_2 + μ_k with the roots μ_k of the cubic |μI − (A_2 − i ν_2 I)|, where
+/// How much of the damping a uniform form keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// Its first power.
+    First,
+    /// Its first and second power.
+    Second,
+}
+
+/// The uniform form of the second order, which is meant where no order is named.
+///
+/// # Errors
+///
+/// As [`uniform_form_of`].
+pub fn uniform_form(model: &Model) -> Result<ClosedForm, Limitation> {
+    uniform_form_of(Order::Second, model)
+}
+
+/// A uniform form: λ_k = i ν_2 + μ_k with the roots μ_k of the cubic |μI − (A − i ν_2 I)|, where
 ///
 /// ```text
-/// A_2 = iW − B/2 − (i/4) B·G,   W = diagonal(ν_1, ν_2, ν_3),   G_jk = B_jk/(ν_j + ν_k)
+/// A_1 = iW − B/2,   A_2 = A_1 − (i/4) B·G,   W = diagonal(ν_1, ν_2, ν_3),   G_jk = B_jk/(ν_j + ν_k)
 /// ```
 ///
 /// with the frequencies ν_k without wind in rad/s and the damping matrix B in 1/s in the coordinates of
 /// the modes without wind (`derivations/uniform.md`). Frequencies may coincide or differ, and structural
-/// damping is a part of B. What is left out is of the third order in B/ν.
+/// damping is a part of B. What is left out is of the second or third order in B/ν.
 ///
 /// # Errors
 ///
 /// [`Limitation::NotAllFree`]; [`Limitation::NoRoots`] if a decomposition fails, as where e is 1 but for
 /// rounding.
-#[allow(non_snake_case)]
-pub fn uniform_form(model: &Model) -> Result<ClosedForm, Limitation> {
+pub fn uniform_form_of(order: Order, model: &Model) -> Result<ClosedForm, Limitation> {
     if !model.section().parameters().free.are_all() {
         return Err(Limitation::NotAllFree);
     }
     let modal = Modal::new(model).ok_or(Limitation::NoRoots)?;
-    let [nu_1, nu_2, nu_3] = modal.frequencies;
-    let B = modal.damping;
+    let [_, nu_2, nu_3] = modal.frequencies;
+    let coefficients = match order {
+        Order::First => first_cubic(&modal),
+        Order::Second => second_cubic(&modal),
+    };
+    let roots = cubic::roots(coefficients.map(|(re, im)| Complex::new(re, im)));
+    let mut eigenvalues = roots
+        .ok_or(Limitation::NoRoots)?
+        .map(|root| (root + Complex::new(0.0, nu_2)) * model.frequency_unit);
+    eigenvalues.sort_by(|one, other| other.im.total_cmp(&one.im));
+    let damping = strength(&modal.damping, nu_3);
+    let is_strong = damping > STRONG;
+    let warnings = is_strong.then_some(Limitation::StrongDamping { damping });
+    Ok(ClosedForm {
+        eigenvalues,
+        warnings: warnings.into_iter().collect(),
+    })
+}
+
+/// The coefficients of μ², μ and 1, real and imaginary parts, to first order in the damping.
+#[allow(non_snake_case)]
+fn first_cubic(modal: &Modal) -> [(f64, f64); 3] {
+    let ([nu_1, nu_2, nu_3], B) = (modal.frequencies, modal.damping);
+    let cubic = uniform_cubic_1(&UniformCubic1Inputs {
+        B_11: B[(0, 0)],
+        B_12: B[(0, 1)],
+        B_13: B[(0, 2)],
+        B_21: B[(1, 0)],
+        B_22: B[(1, 1)],
+        B_23: B[(1, 2)],
+        B_31: B[(2, 0)],
+        B_32: B[(2, 1)],
+        B_33: B[(2, 2)],
+        Delta_1: nu_1 - nu_2,
+        Delta_3: nu_3 - nu_2,
+    });
+    [
+        (cubic.re_1, cubic.im_1),
+        (cubic.re_2, cubic.im_2),
+        (cubic.re_3, cubic.im_3),
+    ]
+}
+
+/// The coefficients of μ², μ and 1, real and imaginary parts, to second order in the damping.
+#[allow(non_snake_case)]
+fn second_cubic(modal: &Modal) -> [(f64, f64); 3] {
+    let ([nu_1, nu_2, nu_3], B) = (modal.frequencies, modal.damping);
     let cubic = uniform_cubic(&UniformCubicInputs {
         nu_2,
         B_11: B[(0, 0)],
@@ -48,23 +111,11 @@ pub fn uniform_form(model: &Model) -> Result<ClosedForm, Limitation> {
         Delta_1: nu_1 - nu_2,
         Delta_3: nu_3 - nu_2,
     });
-    let coefficients = [
+    [
         (cubic.re_1, cubic.im_1),
         (cubic.re_2, cubic.im_2),
         (cubic.re_3, cubic.im_3),
-    ];
-    let roots = cubic::roots(coefficients.map(|(re, im)| Complex::new(re, im)));
-    let mut eigenvalues = roots
-        .ok_or(Limitation::NoRoots)?
-        .map(|root| (root + Complex::new(0.0, nu_2)) * model.frequency_unit);
-    eigenvalues.sort_by(|one, other| other.im.total_cmp(&one.im));
-    let damping = strength(&B, nu_3);
-    let is_strong = damping > STRONG;
-    let warnings = is_strong.then_some(Limitation::StrongDamping { damping });
-    Ok(ClosedForm {
-        eigenvalues,
-        warnings: warnings.into_iter().collect(),
-    })
+    ]
 }
 
 /// |B|/(2ν) with the Frobenius norm of B.

@@ -12,7 +12,7 @@ pub fn folder(name: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).expect("a folder");
-    for file in ["tuned.toml", "detuned.toml", "formulas.csv"] {
+    for file in ["tuned.toml", "detuned.toml", "light.toml", "formulas.csv"] {
         std::fs::copy(from.join(file), folder.join(file)).expect("a copy");
     }
     folder
@@ -312,4 +312,39 @@ fn results_that_find_no_room_are_an_error() {
         .expect("it runs");
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).contains("standard output cannot be written"));
+}
+
+#[test]
+fn the_validity_of_a_case_is_shown_in_every_format() {
+    let folder = folder("validity");
+    let (case, plot) = (folder.join("light.toml"), folder.join("map.svg"));
+    let text = std::fs::read_to_string(&case).expect("a case");
+    std::fs::write(&case, text.replace("step = 0.5", "step = 10")).expect("a case");
+    let path = case.to_str().expect("a path");
+    let (status, out, err) = run(&["validity", path, "--plot", plot.to_str().expect("a path")]);
+    assert_eq!((status, err.as_str()), (Some(0), ""));
+    assert!(out.contains("uniform form, second order"), "{out}");
+    let labels = texts(plot.to_str().expect("a path"));
+    for label in ["wrong sign of stability", "the case", "10⁻²"] {
+        assert!(labels.iter().any(|own| own == label), "{labels:?}");
+    }
+    let (_, narrow, _) = run(&["validity", path, "--width", "40"]);
+    assert!(
+        narrow.lines().all(|line| line.chars().count() <= 40),
+        "{narrow}"
+    );
+    let (_, rows, _) = run(&["validity", path, "--format", "csv"]);
+    let (_, json, _) = run(&["validity", path, "--format", "json"]);
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let map = json["map"].as_array().expect("a map");
+    assert_eq!(rows.lines().count(), 1 + map.len());
+    let cells: Vec<&str> = rows.lines().nth(500).expect("a row").split(',').collect();
+    let number = |cell: &str| cell.parse::<f64>().expect("a number");
+    let (of_row, of_map) = (number(cells[2]), map[498 + 1]["closed"]["error"].as_f64());
+    assert!((of_row / of_map.expect("a number") - 1.0).abs() < 0.01);
+    assert_eq!(json["forms"][1]["form"], "uniform_first");
+    std::fs::write(&case, text.replace("U = 9 ", "U = 0 ")).expect("a case");
+    let (status, out, err) = run(&["validity", path]);
+    assert_eq!((status, out.as_str()), (Some(2), ""));
+    assert!(err.contains("there is no wind"), "{err}");
 }

@@ -164,7 +164,14 @@ fn the_quoted_output_is_that_of_the_command() {
         }
         commands.push(command.split(' ').next().unwrap_or_default());
     }
-    let all = ["audit", "match", "stability", "evaluate", "stability"];
+    let all = [
+        "audit",
+        "match",
+        "stability",
+        "validity",
+        "evaluate",
+        "stability",
+    ];
     assert_eq!(commands, all);
 }
 

@@ -10,3 +10,4 @@ mod sections;
 mod sensitivity;
 mod tracking;
 mod uniform_form;
+mod validity;

@@ -24,6 +24,15 @@ impl Axis {
     }
 }
 
+impl Axis {
+    /// An axis of powers of ten, marked at whole ones; its numbers are the exponents.
+    pub(super) fn of_powers(range: Range<f64>) -> Self {
+        let (first, last) = (range.start.ceil() as i64, range.end.floor() as i64);
+        let marks = (first..=last).map(|power| power as f64).collect();
+        Axis { range, marks }
+    }
+}
+
 impl Ranged for Axis {
     type FormatOption = DefaultFormatting;
     type ValueType = f64;
@@ -106,6 +115,17 @@ pub(super) fn tick(number: &f64) -> String {
     }
 }
 
+/// A power of ten with its exponent: `10⁻³`.
+pub(super) fn power(exponent: &f64) -> String {
+    let digit = |own: char| match own {
+        '-' => '⁻',
+        own => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹']
+            [own.to_digit(10).unwrap_or_default() as usize],
+    };
+    let exponent = format!("{exponent:.0}");
+    format!("10{}", exponent.chars().map(digit).collect::<String>())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -121,6 +141,15 @@ mod tests {
         ] {
             assert_eq!(tick(&number), text);
         }
+    }
+
+    #[test]
+    fn powers_have_their_exponents() {
+        assert_eq!(
+            [power(&-3.0), power(&0.0), power(&12.0)],
+            ["10⁻³", "10⁰", "10¹²"]
+        );
+        assert_eq!(Axis::of_powers(-3.5..0.2).marks, [-3.0, -2.0, -1.0, 0.0]);
     }
 
     #[test]

@@ -11,6 +11,8 @@ mod modes;
 mod pairs;
 #[cfg(feature = "stability")]
 mod stability;
+#[cfg(feature = "stability")]
+mod validity;
 
 use serde::Serialize;
 
@@ -24,6 +26,8 @@ pub use matching::matchings;
 pub use modes::modes;
 #[cfg(feature = "stability")]
 pub use stability::comparison;
+#[cfg(feature = "stability")]
+pub use validity::validity;
 
 /// Indented JSON, ended by a line break.
 fn write(document: &impl Serialize) -> String {

@@ -18,6 +18,8 @@ mod prose;
 mod run;
 #[cfg(feature = "stability")]
 mod stability;
+#[cfg(feature = "stability")]
+mod validity;
 
 pub use audit::audit;
 pub use evaluation::{evaluation, evaluators};
@@ -28,3 +30,5 @@ pub use matching::matching;
 pub use modes::modes;
 #[cfg(feature = "stability")]
 pub use stability::comparison;
+#[cfg(feature = "stability")]
+pub use validity::validity;

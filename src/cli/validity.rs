@@ -1,0 +1,83 @@
+//! `sextic validity`: where the closed forms of a case may be trusted.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::report::{csv, json, text, validity_figure};
+use crate::stability::validity::validity;
+
+use super::Outcome;
+use super::case::{case_and_table, refuse};
+use super::file::write_text;
+use super::output::{finish, reason, width, wrong};
+use super::stability::Curves;
+
+/// Shows where the closed forms of a case may be trusted
+///
+/// The closed forms (21) to (23) hold where the eccentricity L_g/r is well above the aerodynamic damping;
+/// the uniform forms need small damping only. Their errors against the state matrix are shown for the case
+/// as it is, and over eccentricity and wind for the case perfectly tuned and without structural damping.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// A case file: `sextic stability --help` shows one
+    #[arg(value_name = "CASE")]
+    case: PathBuf,
+
+    /// How the results are written
+    #[arg(long, value_enum, default_value_t = Curves::Text)]
+    format: Curves,
+
+    /// Also draw the maps, as SVG
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
+
+    /// How many columns text may fill (at least 40); as many as the terminal has if not given
+    #[arg(long, value_name = "COLUMNS", value_parser = clap::value_parser!(u16).range(40..))]
+    width: Option<u16>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  sextic validity case.toml
+  sextic validity case.toml --plot map.svg
+  sextic validity case.toml --format csv > map.csv
+
+The error of a form is that of S_3D over |S_a|, the norm of the scaled damping matrix (18), at the worst
+angle. delta is rho D U/(2 m omega_y).
+
+Columns of --format csv, a row for each place of the map: eccentricity, delta; for each form its error and
+at how many angles the sign of stability is wrong.
+
+Exit status:
+  0  the case was computed, wherever it lies
+  2  the input is wrong, or a file cannot be written";
+
+/// Computes the map of a case and writes it.
+pub fn run(arguments: &Arguments) -> Outcome {
+    let (case, table) = match case_and_table(&arguments.case) {
+        Ok(both) => both,
+        Err(outcome) => return outcome,
+    };
+    let validity = match validity(&case, &table) {
+        Ok(validity) => validity,
+        Err(error) => return refuse(&error),
+    };
+    if let Some(path) = &arguments.plot {
+        let drawn = validity_figure::map(&validity).svg();
+        let written = drawn.and_then(|svg| write_text(path, &svg).map_err(|error| reason(&error)));
+        if let Err(reason) = written {
+            return wrong(
+                &format!("`{}` cannot be written: {reason}", path.display()),
+                "name a file in a folder that is there and that you may write to",
+            );
+        }
+    }
+    let written = match arguments.format {
+        Curves::Text => text::validity(&validity, width(arguments.width)),
+        Curves::Csv => csv::validity(&validity),
+        Curves::Json => json::validity(&validity),
+    };
+    finish(&written, Outcome::AsExpected)
+}

@@ -1,0 +1,37 @@
+//! Where the closed forms of a case may be trusted, as maps.
+
+use crate::stability::validity::{Form, Validity};
+
+use super::figure::{Map, Panel};
+use super::stability_figure::name;
+
+/// The errors of the closed form and of both uniform forms over L_g/r and δ, with the case marked and what has
+/// the wrong sign hatched.
+pub fn map(validity: &Validity) -> Map {
+    let panel = |form: Form| Panel {
+        title: form.name().into(),
+        cells: validity
+            .cells
+            .iter()
+            .map(|cell| cell[form as usize])
+            .map(|own| (own.error, own.wrong_signs > 0))
+            .collect(),
+    };
+    let [eccentricity, wind] = validity.own;
+    Map {
+        title: format!(
+            "{}, perfectly tuned and without structural damping: the worst of {} angles",
+            name(&validity.case),
+            validity.angles
+        ),
+        x_label: "e = L_{g} / r".into(),
+        y_label: "δ = ρDU / (2mω_{n})".into(),
+        shade: "error of S / |S_{a}|".into(),
+        hatched: "wrong sign of stability".into(),
+        columns: validity.eccentricities.clone(),
+        rows: validity.winds.clone(),
+        panels: Form::ALL.map(panel).into(),
+        line: (1.0 / validity.strength, "δ|S_{a}| = e".into()),
+        mark: ((eccentricity, wind), "the case".into()),
+    }
+}

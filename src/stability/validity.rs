@@ -1,0 +1,350 @@
+//! Where the closed forms of a case may be trusted: their errors over eccentricity and wind.
+
+use rayon::prelude::*;
+
+use super::case::Case;
+use super::closed_form::{ClosedForm, Limitation, closed_form};
+use super::coefficient_table::CoefficientTable;
+use super::error::StabilityError;
+use super::input::{InputError, Place};
+use super::interpolation::CoefficientCurves;
+use super::model::Model;
+use super::section::{Coefficients, Parameters, Section};
+use super::state_matrix;
+use super::uniform_form::{Order, uniform_form_of};
+
+/// A form whose errors are looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// The closed forms, Eqs. (21)–(23).
+    Closed,
+    /// The uniform form of the first order in the damping.
+    UniformFirst,
+    /// The uniform form of the second order.
+    UniformSecond,
+}
+
+impl Form {
+    /// All of them, in the order of results.
+    pub const ALL: [Form; 3] = [Form::Closed, Form::UniformFirst, Form::UniformSecond];
+
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Form::Closed => "closed form (21)–(23)",
+            Form::UniformFirst => "uniform form, first order",
+            Form::UniformSecond => "uniform form, second order",
+        }
+    }
+
+    /// In one word, as in tables for programs.
+    pub fn word(self) -> &'static str {
+        match self {
+            Form::Closed => "closed",
+            Form::UniformFirst => "uniform_first",
+            Form::UniformSecond => "uniform_second",
+        }
+    }
+
+    /// The order of what it leaves out of S/|S_a|: (δ|S_a|/e)², δ|S_a| or (δ|S_a|)², by
+    /// `derivations/uniform.md`.
+    pub fn order(self, eccentricity: f64, damping: f64) -> f64 {
+        match self {
+            Form::Closed => (damping / eccentricity).powi(2),
+            Form::UniformFirst => damping,
+            Form::UniformSecond => damping * damping,
+        }
+    }
+
+    fn of(self, model: &Model) -> Result<ClosedForm, Limitation> {
+        match self {
+            Form::Closed => closed_form(model.section()),
+            Form::UniformFirst => uniform_form_of(Order::First, model),
+            Form::UniformSecond => uniform_form_of(Order::Second, model),
+        }
+    }
+}
+
+/// How far a form is from the state matrix at some angles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Departure {
+    /// The largest error of S over |S_a|, the Frobenius norm of the scaled damping matrix (18).
+    pub error: f64,
+    /// The angle where it is that, in degrees.
+    pub angle: f64,
+    /// At so many angles S has the wrong sign for certain.
+    pub wrong_signs: usize,
+}
+
+/// The errors of all forms; `None` where one does not apply.
+pub type Departures = [Option<Departure>; 3];
+
+/// The errors of the forms over eccentricity e = L_g/r and wind δ = ρDU/(2mω_n).
+///
+/// The map is of the case perfectly tuned to the frequency of heave and without structural damping, which is
+/// what the closed forms are for, at [`MOST_ANGLES`] of its angles at most.
+#[derive(Clone, Debug)]
+pub struct Validity {
+    /// The case.
+    pub case: Case,
+    /// e and δ of the case as it is.
+    pub own: [f64; 2],
+    /// The errors for the case as it is, at all of its angles.
+    pub own_departures: Departures,
+    /// The number of its angles.
+    pub own_angles: usize,
+    /// The number of angles of the map.
+    pub angles: usize,
+    /// The largest |S_a| at these.
+    pub strength: f64,
+    /// The eccentricities of the map, from the smallest on.
+    pub eccentricities: Vec<f64>,
+    /// The values of δ of the map, from the smallest on.
+    pub winds: Vec<f64>,
+    /// The errors: for each δ those at all eccentricities.
+    pub cells: Vec<[Departure; 3]>,
+    /// Where the closed form has errors of at most [`TOLERANCE`]: from this eccentricity on, at the wind
+    /// of the case; `None` if nowhere on the map.
+    pub least_eccentricity: Option<f64>,
+    /// Up to this δ, at the eccentricity of the case.
+    pub largest_wind: Option<f64>,
+}
+
+/// Errors of S over |S_a| that an engineer may neglect.
+pub const TOLERANCE: f64 = 0.01;
+
+/// The most angles of a map.
+pub const MOST_ANGLES: usize = 61;
+
+/// Columns and rows of a map, and points along a line.
+const COLUMNS: usize = 45;
+const ROWS: usize = 33;
+const POINTS: usize = 145;
+
+/// What a map shows of e and δ at least.
+const ECCENTRICITIES: [f64; 2] = [1e-3, 0.9];
+const WINDS: [f64; 2] = [1e-5, 0.1];
+
+/// The map of a case.
+///
+/// Some 90,000 eigenvalue problems of 6×6, on all cores.
+///
+/// # Errors
+///
+/// If there is no wind, a coordinate is held, an angle is outside of the table, or a section has no answer.
+pub fn validity(case: &Case, table: &CoefficientTable) -> Result<Validity, InputError> {
+    let wrong = |what: &str, help: &str| InputError::new(Place::file(&case.file), what, help);
+    if case.parameters.wind_speed == 0.0 {
+        return Err(wrong(
+            "U = 0: there is no wind",
+            "give a wind speed above 0",
+        ));
+    }
+    if !case.parameters.free.are_all() {
+        let help = "leave `free` out of the case";
+        return Err(wrong(
+            "the closed forms need x, y and theta to be free",
+            help,
+        ));
+    }
+    let no_answer =
+        |error: StabilityError| wrong(&error.to_string(), "correct the case or its table");
+    let own = Sections::of(case, table)?;
+    let map = own.tuned().thinned(MOST_ANGLES);
+    let place = own.place();
+    let eccentricities = logarithmic(around(ECCENTRICITIES, place[0]), COLUMNS);
+    let winds = logarithmic(around(WINDS, place[1]), ROWS);
+    let points: Vec<[f64; 2]> = winds
+        .iter()
+        .flat_map(|&wind| eccentricities.iter().map(move |&e| [e, wind]))
+        .collect();
+    let cells: Result<Vec<_>, _> = points.par_iter().map(|&point| map.at(point)).collect();
+    let is_close = |point: [f64; 2]| -> Result<bool, StabilityError> {
+        Ok(map.at(point)?[0].error <= TOLERANCE)
+    };
+    let line = logarithmic(around(ECCENTRICITIES, place[0]), POINTS);
+    let from_above = line.iter().rev().copied();
+    let least_eccentricity = last_while(from_above, |e| is_close([e, place[1]]));
+    let line = logarithmic(around(WINDS, place[1]), POINTS);
+    let largest_wind = last_while(line.iter().copied(), |wind| is_close([place[0], wind]));
+    Ok(Validity {
+        case: case.clone(),
+        own: place,
+        own_departures: own.departures().map_err(no_answer)?,
+        own_angles: own.sections.len(),
+        angles: map.sections.len(),
+        strength: map.strength(),
+        eccentricities,
+        winds,
+        cells: cells.map_err(no_answer)?,
+        least_eccentricity: least_eccentricity.map_err(no_answer)?,
+        largest_wind: largest_wind.map_err(no_answer)?,
+    })
+}
+
+impl Validity {
+    /// The largest error of a form on the map over its order, where that is at most 1: a measured bound of
+    /// what the derivation gives the order of.
+    pub fn constant(&self, form: Form) -> f64 {
+        let places = self.winds.iter().flat_map(|wind| {
+            let places = self.eccentricities.iter();
+            places.map(move |e| (*e, wind * self.strength))
+        });
+        let ratios = places.zip(&self.cells).filter_map(|((e, damping), cell)| {
+            let order = form.order(e, damping);
+            (order <= 1.0).then(|| cell[form as usize].error / order)
+        });
+        ratios.fold(0.0, f64::max)
+    }
+
+    /// The wind speed of a δ, in m/s.
+    pub fn wind_speed(&self, wind: f64) -> f64 {
+        wind * speed_of_unit(&self.case.parameters)
+    }
+}
+
+/// A case at some angles.
+struct Sections {
+    sections: Vec<(f64, Parameters)>,
+}
+
+impl Sections {
+    fn of(case: &Case, table: &CoefficientTable) -> Result<Self, InputError> {
+        let curves = CoefficientCurves::new(table, case.interpolation);
+        let section = |angle: f64| -> Result<(f64, Parameters), InputError> {
+            let coefficients: Coefficients = curves.at(angle).map_err(|outside| {
+                let help = "shorten the sweep of the case, or complete the table";
+                InputError::new(Place::file(table.file()), outside.to_string(), help)
+            })?;
+            Ok((angle, case.parameters_at(angle, coefficients)))
+        };
+        let sections: Result<_, _> = case.angles.values().into_iter().map(section).collect();
+        Ok(Sections {
+            sections: sections?,
+        })
+    }
+
+    /// Perfectly tuned to the frequency of heave, and without structural damping.
+    fn tuned(&self) -> Self {
+        self.with(|parameters| Parameters {
+            natural_frequencies: [parameters.natural_frequencies[1]; 3],
+            damping_ratios: [0.0; 3],
+            ..parameters
+        })
+    }
+
+    /// Evenly chosen ones of the angles.
+    fn thinned(self, most: usize) -> Self {
+        let every = self.sections.len().div_ceil(most).max(1);
+        Sections {
+            sections: self.sections.into_iter().step_by(every).collect(),
+        }
+    }
+
+    fn with(&self, change: impl Fn(Parameters) -> Parameters) -> Self {
+        let changed = |&(angle, parameters): &(f64, Parameters)| (angle, change(parameters));
+        Sections {
+            sections: self.sections.iter().map(changed).collect(),
+        }
+    }
+
+    /// e and δ.
+    fn place(&self) -> [f64; 2] {
+        let parameters = &self.sections[0].1;
+        [
+            parameters.mass_centre_distance / parameters.radius_of_gyration,
+            parameters.wind_speed / speed_of_unit(parameters),
+        ]
+    }
+
+    /// The largest |S_a|.
+    fn strength(&self) -> f64 {
+        let sections = self.sections.iter();
+        let norms = sections.filter_map(|(_, parameters)| {
+            Some(Section::new(*parameters).ok()?.scaled_damping_norm())
+        });
+        norms.fold(0.0, f64::max)
+    }
+
+    /// The errors with another eccentricity and wind; the forms apply to perfectly tuned sections.
+    fn at(&self, [eccentricity, wind]: [f64; 2]) -> Result<[Departure; 3], StabilityError> {
+        let moved = self.with(|parameters| Parameters {
+            mass_centre_distance: eccentricity * parameters.radius_of_gyration,
+            wind_speed: wind * speed_of_unit(&parameters),
+            ..parameters
+        });
+        let none = Departure {
+            error: f64::INFINITY,
+            angle: self.sections[0].0,
+            wrong_signs: 0,
+        };
+        Ok(moved.departures()?.map(|own| own.unwrap_or(none)))
+    }
+
+    fn departures(&self) -> Result<Departures, StabilityError> {
+        let mut found: Departures = [None; 3];
+        for &(angle, parameters) in &self.sections {
+            let section = Section::new(parameters)?;
+            let model = Model::new(&section)?;
+            let exact = state_matrix::eigenvalues(&model)?.damping_coefficient(&section);
+            let (exact, bound) = exact.ok_or(StabilityError::OutOfRange)?;
+            for form in Form::ALL {
+                let value = form.of(&model).ok();
+                let value =
+                    value.and_then(|own| section.damping_coefficient(own.largest_real_part()));
+                let Some(value) = value else {
+                    continue;
+                };
+                let error = (value - exact).abs() / section.scaled_damping_norm();
+                let is_wrong = exact.abs() > bound && (value < 0.0) != (exact < 0.0);
+                let own = found[form as usize].get_or_insert(Departure {
+                    error: 0.0,
+                    angle,
+                    wrong_signs: 0,
+                });
+                own.wrong_signs += usize::from(is_wrong);
+                if error > own.error {
+                    (own.error, own.angle) = (error, angle);
+                }
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// The wind speed at which δ = 1: 2mω_n/(ρD).
+fn speed_of_unit(parameters: &Parameters) -> f64 {
+    2.0 * parameters.mass * parameters.natural_frequencies[1]
+        / (parameters.air_density * parameters.reference_dimension)
+}
+
+/// A range that has a number within it; one that has no place there changes nothing.
+fn around([least, largest]: [f64; 2], number: f64) -> [f64; 2] {
+    match number > 0.0 {
+        true => [least.min(number), largest.max(number)],
+        false => [least, largest],
+    }
+}
+
+/// Numbers from one to another, in even steps of their logarithm.
+fn logarithmic([first, last]: [f64; 2], count: usize) -> Vec<f64> {
+    let step = (last / first).ln() / (count - 1) as f64;
+    (0..count)
+        .map(|place| first * (step * place as f64).exp())
+        .collect()
+}
+
+/// The last of the numbers up to which all have a property.
+fn last_while(
+    numbers: impl Iterator<Item = f64>,
+    holds: impl Fn(f64) -> Result<bool, StabilityError>,
+) -> Result<Option<f64>, StabilityError> {
+    let mut last = None;
+    for number in numbers {
+        if !holds(number)? {
+            break;
+        }
+        last = Some(number);
+    }
+    Ok(last)
+}
