@@ -22,6 +22,8 @@ mod partial;
 mod report;
 mod source;
 #[cfg(feature = "stability")]
+mod speeds;
+#[cfg(feature = "stability")]
 mod stability;
 #[cfg(feature = "stability")]
 mod sweep;
@@ -76,6 +78,8 @@ enum Command {
     #[cfg(feature = "stability")]
     Sweep(sweep::Arguments),
     #[cfg(feature = "stability")]
+    Speeds(speeds::Arguments),
+    #[cfg(feature = "stability")]
     Modes(modes::Arguments),
     #[cfg(feature = "stability")]
     Validity(validity::Arguments),
@@ -104,6 +108,8 @@ pub fn run() -> ExitCode {
         Command::Stability(arguments) => stability::run(&arguments),
         #[cfg(feature = "stability")]
         Command::Sweep(arguments) => sweep::run(&arguments),
+        #[cfg(feature = "stability")]
+        Command::Speeds(arguments) => speeds::run(&arguments),
         #[cfg(feature = "stability")]
         Command::Modes(arguments) => modes::run(&arguments),
         #[cfg(feature = "stability")]

@@ -6,16 +6,19 @@ use clap::{Args, ValueEnum};
 use num_complex::Complex;
 use sextic_codegen::language::literal::Decimal;
 
+use crate::algebra::number::Rational;
 use crate::compile::fixed::Fixed;
 use crate::report::modes::ModesFound;
 use crate::report::{json, text};
 use crate::stability::closed_form::{ClosedForm, Limitation, closed_form};
 use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
 use crate::stability::error::StabilityError;
+use crate::stability::exact::ExactSection;
 use crate::stability::model::Model;
 use crate::stability::quantities::{names, needed, parameters};
 use crate::stability::section::Section;
 use crate::stability::uniform_form::uniform_form;
+use crate::stability::verdict::{Verdict, exact_verdict};
 use crate::stability::{companion, state_matrix};
 
 use super::Outcome;
@@ -26,7 +29,8 @@ use super::output::{Results, finish, wrong};
 ///
 /// Eigenvalues are in 1/s, one of each pair of conjugates: the real part is the growth, the imaginary
 /// part the circular frequency. Quantities are in SI units, angles in radians, derivatives per radian;
-/// numbers are decimals or fractions.
+/// numbers are decimals or fractions. Whether the section is stable is decided in exact arithmetic for
+/// the numbers as they are written.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
@@ -84,7 +88,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
 }
 
 fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
-    let values = values(&arguments.set)?;
+    let (exact, values) = values(&arguments.set)?;
     let missing: Vec<&str> = needed(&values, arguments.method != Method::Closed)
         .into_iter()
         .filter(|name| !values.contains_key(*name))
@@ -99,13 +103,25 @@ fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
         |error: StabilityError| wrong(&error.to_string(), "`sextic modes --help` names the units");
     let section = Section::new(parameters(&values)).map_err(refuse)?;
     let model = Model::new(&section).map_err(refuse)?;
+    // The decimals themselves, which need not be doubles.
+    let verdict = exact_verdict(&ExactSection::new(parameters(&exact)).map_err(refuse)?);
+    let spectrum = |found: Result<Spectrum, StabilityError>| found.map_err(refuse);
     let mut found = match arguments.method {
-        Method::Companion => by_spectrum("companion", companion::eigenvalues(&model), &section),
-        Method::Closed => Ok(by_form("closed", closed_form(&section), &model)?),
-        Method::Uniform => Ok(by_form("uniform", uniform_form(&model), &model)?),
-        _ => by_spectrum("state", state_matrix::eigenvalues(&model), &section),
-    }
-    .map_err(refuse)?;
+        Method::Companion => by_spectrum(
+            "companion",
+            &spectrum(companion::eigenvalues(&model))?,
+            &section,
+            verdict,
+        ),
+        Method::Closed => by_form("closed", closed_form(&section), &model, verdict)?,
+        Method::Uniform => by_form("uniform", uniform_form(&model), &model, verdict)?,
+        Method::State => by_spectrum(
+            "state",
+            &spectrum(state_matrix::eigenvalues(&model))?,
+            &section,
+            verdict,
+        ),
+    };
     // What a form leaves out is used by its warnings and bounds.
     let used = needed(&values, true);
     let unused = values.keys().filter(|name| !used.contains(&name.as_str()));
@@ -122,6 +138,7 @@ fn by_form(
     method: &'static str,
     form: Result<ClosedForm, Limitation>,
     model: &Model,
+    verdict: Verdict,
 ) -> Result<ModesFound, Outcome> {
     let form = form.map_err(|limitation| {
         wrong(
@@ -155,34 +172,39 @@ fn by_form(
         method,
         eigenvalues: pairs,
         damping_coefficient: damping,
+        verdict,
         warnings: form.warnings.iter().map(ToString::to_string).collect(),
     })
 }
 
 fn by_spectrum(
     method: &'static str,
-    spectrum: Result<Spectrum, StabilityError>,
+    spectrum: &Spectrum,
     section: &Section,
-) -> Result<ModesFound, StabilityError> {
-    let spectrum = spectrum?;
+    verdict: Verdict,
+) -> ModesFound {
     let damping = spectrum.damping_coefficient(section);
     let is_undecided = damping.is_some_and(|(damping, error)| damping.abs() <= error);
     let pairs = spectrum.one_of_each_pair();
-    Ok(ModesFound {
+    ModesFound {
         method,
         eigenvalues: pairs.map(|own| (own.value, Some(own.error))).collect(),
         damping_coefficient: damping.map(|(damping, error)| (damping, Some(error))),
+        verdict,
         warnings: is_undecided
             .then(|| "S_3D is smaller than its error: its sign is not certain".to_string())
             .into_iter()
             .collect(),
-    })
+    }
 }
 
-/// The values by name, in doubles.
-fn values(set: &[Fixed]) -> Result<BTreeMap<String, f64>, Outcome> {
+/// The values by name, as they are written.
+type Exact = BTreeMap<String, Rational>;
+
+/// The values by name: as they are written, and in doubles.
+fn values(set: &[Fixed]) -> Result<(Exact, BTreeMap<String, f64>), Outcome> {
     let known: Vec<String> = names().map(str::to_string).collect();
-    let mut values = BTreeMap::new();
+    let (mut exact, mut values) = (BTreeMap::new(), BTreeMap::new());
     for number in set {
         let name = &number.name;
         if !known.contains(name) {
@@ -201,6 +223,7 @@ fn values(set: &[Fixed]) -> Result<BTreeMap<String, f64>, Outcome> {
         if values.insert(name.clone(), value.value).is_some() {
             return Err(wrong(&format!("`{name}` is set twice"), "set it once"));
         }
+        exact.insert(name.clone(), number.value.clone());
     }
-    Ok(values)
+    Ok((exact, values))
 }

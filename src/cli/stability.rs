@@ -91,7 +91,8 @@ rho D U^2 C/2; the moment is about O in the sense of theta, rho D^2 U^2 C_M/2.
 Modes are numbered by their frequency at the first angle, the highest first, and followed by their shapes.
 
 Columns of --format csv: s3d_exact (state matrix), s3d_companion, s3d_closed, s3d_uniform; error_exact and
-error_companion, within which what is exact lies of the number that is printed; number and frequency of the
+error_companion, within which what is exact lies of the number that is printed; verdict (stable, unstable
+or undecided, certain for the numbers as doubles: by the errors, or by exact arithmetic); number and frequency of the
 mode with the least damping; S and frequency of every mode.
 
 Exit status:

@@ -7,9 +7,10 @@ use crate::stability::comparison::{Comparison, angle};
 use crate::stability::grid::{Grid, GridPoint};
 use crate::stability::validity::{Form, Validity};
 
+use super::speeds::{SpeedsFound, ends};
 use super::stability::{bound, certain, decimal};
 
-/// A row an angle: S by every method, bounds of the errors, the mode with the least damping, and S and the
+/// A row an angle: S by every method, bounds of the errors, the verdict, the mode with the least damping, and S and the
 /// frequency in Hz of every mode. An empty cell is a method that does not apply.
 ///
 /// Numbers have the decimals that are certain, nine at most.
@@ -23,6 +24,7 @@ pub fn comparison(comparison: &Comparison) -> String {
         "s3d_uniform",
         "error_exact",
         "error_companion",
+        "verdict",
         "mode",
         "frequency_hz",
     ]
@@ -44,6 +46,7 @@ pub fn comparison(comparison: &Comparison) -> String {
             optional(point.uniform.value.map(|uniform| decimal(uniform, 9))),
             bound(point.exact),
             optional(point.companion.map(bound)),
+            point.verdict.name().to_string(),
             optional(critical.map(|mode| mode.label.to_string())),
             optional(critical.map(|mode| decimal(mode.frequency, 6))),
         ];
@@ -53,6 +56,19 @@ pub fn comparison(comparison: &Comparison) -> String {
             cells.push(optional(mode.map(|mode| decimal(mode.frequency, 6))));
         }
         text += &(cells.join(",") + "\n");
+    }
+    text
+}
+
+/// A row a range of wind speeds: the angle, the ends in m/s, and the verdict that is certain between them.
+pub fn speeds(found: &SpeedsFound) -> String {
+    let mut text = "alpha_deg,from,to,verdict\n".to_string();
+    for (place, speeds) in &found.angles {
+        for own in &speeds.ranges {
+            let [from, to] = ends(own, speeds, 9);
+            let verdict = own.stability.name();
+            text += &format!("{},{from},{to},{verdict}\n", angle(*place));
+        }
     }
     text
 }

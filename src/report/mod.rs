@@ -22,6 +22,8 @@ pub mod modes;
 pub mod phrase;
 pub mod residuals;
 #[cfg(feature = "stability")]
+pub mod speeds;
+#[cfg(feature = "stability")]
 pub mod stability;
 #[cfg(feature = "stability")]
 pub mod stability_figure;

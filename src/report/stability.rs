@@ -3,6 +3,7 @@
 use crate::stability::comparison::{
     Agreement, Comparison, FollowedMode, Point, Reason, Value, angle, listed,
 };
+use crate::stability::verdict::{Doubt, Verdict};
 
 /// The most decimals of a damping coefficient; the sines of another machine may change later ones.
 const MOST_DECIMALS: usize = 9;
@@ -75,10 +76,20 @@ pub fn conclusion(comparison: &Comparison) -> String {
     });
     let undecided = match comparison.undecided.as_slice() {
         [] => String::new(),
-        ranges => format!(
-            "; not decided, {name} being within its error: {}",
-            listed(ranges)
-        ),
+        ranges => {
+            let mut doubts = comparison
+                .points
+                .iter()
+                .filter_map(|point| match point.verdict {
+                    Verdict::Undecided(doubt) => Some(doubt),
+                    _ => None,
+                });
+            let reason = match doubts.all(|own| own == Doubt::Neutral) {
+                true => "a motion neither growing nor dying out, exactly",
+                false => "a Hurwitz determinant not being told from 0",
+            };
+            format!("; not decided, {reason}: {}", listed(ranges))
+        }
     };
     match (comparison.unstable.len(), comparison.undecided.len()) {
         (0, 0) => format!("No angle of the sweep is unstable: {least}."),

@@ -15,8 +15,10 @@ use super::case::Case;
 use super::coefficient_table::CoefficientTable;
 use super::coefficient_table::remarks::{radians, remarks};
 use super::coordinate::Coordinate;
+use super::error::StabilityError;
 use super::input::{InputError, Place, Remark};
 use super::interpolation::CoefficientCurves;
+use super::section::Section;
 use super::tracking::Mode;
 
 /// What the methods say of a case, at the angles of its sweep.
@@ -26,9 +28,9 @@ pub struct Comparison {
     pub case: Case,
     /// The angles in order, with the answers of all methods.
     pub points: Vec<Point>,
-    /// Where the section gallops for certain, by the state matrix.
+    /// Where the section gallops for certain.
     pub unstable: Vec<UnstableRange>,
-    /// Where the error of S is larger than S: neither stable nor unstable for certain.
+    /// Where it is neither stable nor unstable for certain.
     pub undecided: Vec<AngleRange>,
     /// How each of the other methods agrees with the state matrix.
     pub agreements: Vec<Agreement>,
@@ -60,19 +62,8 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
     let curves = CoefficientCurves::new(table, case.interpolation);
     let angles = case.angles.values();
     let answers = |&angle: &f64| -> Result<(f64, Answers), InputError> {
-        let coefficients = curves.at(angle).map_err(|outside| {
-            let help = match radians(table) {
-                Some(remark) => remark.what,
-                None => format!("shorten the sweep in {}, or complete the table", case.file),
-            };
-            InputError::new(Place::file(table.file()), outside.to_string(), help)
-        })?;
-        let section = case.section(angle, coefficients);
-        let answers = section.and_then(|section| Answers::new(&section));
-        let answers = answers.map_err(|error| {
-            let what = format!("at {angle}°: {error}");
-            InputError::new(file.clone(), what, "correct the case or its table")
-        })?;
+        let section = section_at(case, table, &curves, angle)?;
+        let answers = Answers::new(&section).map_err(|error| impossible(case, angle, &error))?;
         Ok((angle, answers))
     };
     let mut points = Vec::with_capacity(angles.len());
@@ -106,6 +97,33 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
         points,
         remarks,
     })
+}
+
+/// The section of a case at an angle in degrees, with the coefficients of its table there.
+pub(super) fn section_at(
+    case: &Case,
+    table: &CoefficientTable,
+    curves: &CoefficientCurves,
+    angle: f64,
+) -> Result<Section, InputError> {
+    let coefficients = curves.at(angle).map_err(|outside| {
+        let help = match radians(table) {
+            Some(remark) => remark.what,
+            None => format!("shorten the sweep in {}, or complete the table", case.file),
+        };
+        InputError::new(Place::file(table.file()), outside.to_string(), help)
+    })?;
+    let section = case.section(angle, coefficients);
+    section.map_err(|error| impossible(case, angle, &error))
+}
+
+fn impossible(case: &Case, angle: f64, error: &StabilityError) -> InputError {
+    let what = format!("at {angle}°: {error}");
+    InputError::new(
+        Place::file(&case.file),
+        what,
+        "correct the case or its table",
+    )
 }
 
 /// Where structural damping does harm, a remark for each coordinate.

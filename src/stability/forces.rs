@@ -11,12 +11,12 @@ use super::section::{Coefficients, Section};
 
 /// What is known of the forces of the wind.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Forces {
+pub enum Forces<T = f64> {
     /// Force coefficients and their derivatives at the angle of attack.
-    Coefficients(Coefficients),
+    Coefficients(Coefficients<T>),
     /// S_a, the scaled damping matrix of Eq. (18), for the coordinates x, y and rθ: the angles of the
     /// wind and of the aerodynamic centre do not matter then.
-    ScaledDamping([[f64; 3]; 3]),
+    ScaledDamping([[T; 3]; 3]),
 }
 
 /// The names of the entries of S_a by rows.
@@ -46,15 +46,34 @@ impl Forces {
     }
 }
 
-impl Default for Forces {
+impl<T> Forces<T> {
+    /// The same in other numbers.
+    pub(super) fn map<U>(&self, number: &impl Fn(&T) -> U) -> Forces<U> {
+        match self {
+            Forces::Coefficients(c) => Forces::Coefficients(Coefficients {
+                drag: number(&c.drag),
+                lift: number(&c.lift),
+                moment: number(&c.moment),
+                drag_slope: number(&c.drag_slope),
+                lift_slope: number(&c.lift_slope),
+                moment_slope: number(&c.moment_slope),
+            }),
+            Forces::ScaledDamping(rows) => {
+                Forces::ScaledDamping(rows.each_ref().map(|row| row.each_ref().map(number)))
+            }
+        }
+    }
+}
+
+impl<T: Default> Default for Forces<T> {
     /// None.
     fn default() -> Self {
         Forces::Coefficients(Coefficients::default())
     }
 }
 
-impl From<Coefficients> for Forces {
-    fn from(coefficients: Coefficients) -> Self {
+impl<T> From<Coefficients<T>> for Forces<T> {
+    fn from(coefficients: Coefficients<T>) -> Self {
         Forces::Coefficients(coefficients)
     }
 }

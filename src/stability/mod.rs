@@ -4,18 +4,22 @@
 
 pub mod axis;
 mod ball;
+mod bernstein;
 pub mod case;
 pub mod closed_form;
 pub mod coefficient_table;
 pub mod companion;
 pub mod comparison;
 pub mod coordinate;
+pub mod critical_speed;
 mod cubic;
 pub mod eigenvalue;
 mod enclosure;
 pub mod error;
+pub mod exact;
 pub mod forces;
 pub mod grid;
+mod hurwitz;
 pub mod input;
 pub mod interpolation;
 mod modal;
@@ -32,3 +36,4 @@ pub mod tracking;
 pub mod uniform_form;
 pub mod validity;
 pub mod variable;
+pub mod verdict;

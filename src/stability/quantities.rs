@@ -42,7 +42,7 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 }
 
 /// Whether an entry of the scaled damping matrix is among the values: it stands in place of coefficients.
-fn has_scaled_damping(values: &BTreeMap<String, f64>) -> bool {
+fn has_scaled_damping<T>(values: &BTreeMap<String, T>) -> bool {
     let mut entries = SCALED_DAMPING.into_iter().flatten();
     entries.any(|name| values.contains_key(name))
 }
@@ -63,7 +63,8 @@ pub fn needed(values: &BTreeMap<String, f64>, with_damping: bool) -> Vec<&'stati
 }
 
 /// The parameters of a section with all coordinates free. What is not among the values is 0, or 1 where it
-/// may not be 0: it is for the caller to ask for what is [`needed`].
+/// may not be 0: it is for the caller to ask for what is [`needed`]. The numbers are
+/// doubles, or exact ones.
 ///
 /// ```
 /// use std::collections::BTreeMap;
@@ -74,9 +75,9 @@ pub fn needed(values: &BTreeMap<String, f64>, with_damping: bool) -> Vec<&'stati
 /// assert_eq!(parameters.mass, 3.5);
 /// assert_eq!(parameters.natural_frequencies[1], 5.3);
 /// ```
-pub fn parameters(values: &BTreeMap<String, f64>) -> Parameters {
-    let or = |name: &str, other: f64| values.get(name).copied().unwrap_or(other);
-    let of = |name: &str| or(name, 0.0);
+pub fn parameters<T: Clone + From<u8>>(values: &BTreeMap<String, T>) -> Parameters<T> {
+    let or = |name: &str, other: u8| values.get(name).cloned().unwrap_or_else(|| other.into());
+    let of = |name: &str| or(name, 0);
     Parameters {
         mass: of("m"),
         radius_of_gyration: of("r"),
@@ -84,10 +85,10 @@ pub fn parameters(values: &BTreeMap<String, f64>) -> Parameters {
         mass_centre_angle: of("alpha_g"),
         aerodynamic_centre_distance: of("L_a"),
         aerodynamic_centre_angle: of("gamma_r"),
-        reference_dimension: or("D", 1.0),
+        reference_dimension: or("D", 1),
         natural_frequencies: [of("omega_x"), of("omega_y"), of("omega_theta")],
         damping_ratios: [of("zeta_x"), of("zeta_y"), of("zeta_theta")],
-        air_density: or("rho", 1.0),
+        air_density: or("rho", 1),
         wind_speed: of("U"),
         wind_angle: of("alpha_0"),
         attitude: of("theta_0"),

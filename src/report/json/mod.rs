@@ -10,6 +10,8 @@ mod matching;
 mod modes;
 mod pairs;
 #[cfg(feature = "stability")]
+mod speeds;
+#[cfg(feature = "stability")]
 mod stability;
 #[cfg(feature = "stability")]
 mod validity;
@@ -24,6 +26,8 @@ pub use evaluation::{evaluation, evaluators};
 pub use matching::matchings;
 #[cfg(feature = "stability")]
 pub use modes::modes;
+#[cfg(feature = "stability")]
+pub use speeds::speeds;
 #[cfg(feature = "stability")]
 pub use stability::comparison;
 #[cfg(feature = "stability")]

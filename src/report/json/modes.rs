@@ -1,4 +1,4 @@
-//! `{"method", "eigenvalues": [{"re", "im", "error"}…], "s3d", "warnings": […]}`.
+//! `{"method", "eigenvalues": [{"re", "im", "error"}…], "s3d", "verdict", "reason", "warnings": […]}`.
 
 use serde::Serialize;
 
@@ -11,6 +11,8 @@ struct Found<'a> {
     method: &'a str,
     eigenvalues: Vec<Eigenvalue>,
     s3d: Option<f64>,
+    verdict: &'a str,
+    reason: String,
     warnings: &'a [String],
 }
 
@@ -34,6 +36,8 @@ pub fn modes(found: &ModesFound) -> String {
             })
             .collect(),
         s3d: found.damping_coefficient.map(|(damping, _)| damping),
+        verdict: found.verdict.name(),
+        reason: found.verdict.to_string(),
         warnings: &found.warnings,
     })
 }

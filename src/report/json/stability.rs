@@ -25,6 +25,8 @@ struct Compared<'a> {
 struct AtAngle<'a> {
     alpha_deg: f64,
     s3d: ByMethod,
+    verdict: &'a str,
+    reason: String,
     modes: Vec<OneMode<'a>>,
     warnings: Vec<String>,
 }
@@ -109,6 +111,8 @@ fn at_angle(point: &Point) -> AtAngle<'_> {
             closed: point.closed.value,
             uniform: point.uniform.value,
         },
+        verdict: point.verdict.name(),
+        reason: point.verdict.to_string(),
         modes: point.modes.iter().map(one_mode).collect(),
         warnings: warnings(point),
     }

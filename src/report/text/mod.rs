@@ -17,6 +17,8 @@ mod palette;
 mod prose;
 mod run;
 #[cfg(feature = "stability")]
+mod speeds;
+#[cfg(feature = "stability")]
 mod stability;
 #[cfg(feature = "stability")]
 mod validity;
@@ -28,6 +30,8 @@ pub use generation::{difference, generated};
 pub use matching::matching;
 #[cfg(feature = "stability")]
 pub use modes::modes;
+#[cfg(feature = "stability")]
+pub use speeds::speeds;
 #[cfg(feature = "stability")]
 pub use stability::comparison;
 #[cfg(feature = "stability")]

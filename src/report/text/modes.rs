@@ -11,7 +11,7 @@ const USUAL_DECIMALS: usize = 9;
 /// Doubles have no more than these near 1.
 const MOST_DECIMALS: usize = 15;
 
-/// A line a mode: λ, its error, and the frequency in Hz; then S_3D and the warnings.
+/// A line a mode: λ, its error, and the frequency in Hz; then S_3D, the verdict and the warnings.
 pub fn modes(found: &ModesFound) -> String {
     let mut text = String::new();
     for (place, (value, error)) in found.eigenvalues.iter().enumerate() {
@@ -30,15 +30,15 @@ pub fn modes(found: &ModesFound) -> String {
     }
     if let Some((damping, error)) = found.damping_coefficient {
         let meaning = match error {
-            Some(error) if damping.abs() <= error => "neither stable nor unstable for certain",
-            Some(_) if damping < 0.0 => "the section gallops",
-            Some(_) => "the section is stable",
-            None if damping < 0.0 => "by this form the section gallops",
-            None => "by this form the section is stable",
+            Some(_) => "",
+            None if damping < 0.0 => ": by this form the section gallops",
+            None => ": by this form the section is stable",
         };
         let decimals = error.map_or(USUAL_DECIMALS, |error| decimals(error, MOST_DECIMALS));
-        text += &format!("S_3D = {}: {meaning}\n", decimal(damping, decimals));
+        text += &format!("S_3D = {}{meaning}\n", decimal(damping, decimals));
     }
+    let verdict = found.verdict;
+    text += &format!("The section is {}: {verdict}\n", verdict.name());
     for warning in &found.warnings {
         text += &format!("Warning: {warning}\n");
     }

@@ -11,6 +11,7 @@ use crate::stability::sensitivity::weakened_by;
 use crate::stability::state_matrix;
 use crate::stability::tracking::{Mode, follow};
 use crate::stability::uniform_form::uniform_form;
+use crate::stability::verdict::{Verdict, verdict};
 
 /// A number and a bound of its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,6 +42,8 @@ pub struct Point {
     pub angle: f64,
     /// S by the state matrix.
     pub exact: Value,
+    /// Whether the section is stable, with proof.
+    pub verdict: Verdict,
     /// S by the companion matrix; `None` if it has no answer with a bounded error.
     pub companion: Option<Value>,
     /// S by the closed forms (21)–(23).
@@ -74,6 +77,7 @@ impl Point {
 pub(in crate::stability) struct Answers {
     model: Model,
     exact: Value,
+    verdict: Verdict,
     companion: Option<Value>,
     closed: Estimate,
     uniform: Estimate,
@@ -98,6 +102,7 @@ impl Answers {
         let ratio = section.relative_aerodynamic_damping() / section.eccentricity();
         Ok(Answers {
             exact,
+            verdict: verdict(section, &spectrum),
             companion: companion.as_ref().and_then(value),
             closed,
             uniform,
@@ -114,6 +119,7 @@ impl Answers {
             angle,
             modes: followed(&self.model, self.modes, before),
             exact: self.exact,
+            verdict: self.verdict,
             companion: self.companion,
             closed: self.closed,
             uniform: self.uniform,

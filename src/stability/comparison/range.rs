@@ -1,9 +1,9 @@
 //! Angles in a row that have something in common.
 
-use std::cmp::Ordering;
 use std::fmt;
 
 use super::point::{FollowedMode, Point, Value};
+use crate::stability::verdict::Verdict;
 
 /// From one angle of a sweep to another, both included, in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,9 +71,9 @@ fn range(run: &[Point]) -> Option<AngleRange> {
     })
 }
 
-/// Where S is below 0 for certain.
+/// Where the section is unstable for certain.
 pub(super) fn unstable(points: &[Point]) -> Vec<UnstableRange> {
-    let is_unstable = |point: &Point| point.exact.value < -point.exact.error;
+    let is_unstable = |point: &Point| matches!(point.verdict, Verdict::Unstable(_));
     let of = |run: &[Point]| {
         let damping = |point: &&Point| point.exact.value;
         let worst = run
@@ -92,12 +92,9 @@ pub(super) fn unstable(points: &[Point]) -> Vec<UnstableRange> {
         .collect()
 }
 
-/// Where the error of S is as large as S.
+/// Where neither is shown.
 pub(super) fn undecided(points: &[Point]) -> Vec<AngleRange> {
     ranges(points, |point| {
-        !matches!(
-            point.exact.value.abs().partial_cmp(&point.exact.error),
-            Some(Ordering::Greater)
-        )
+        matches!(point.verdict, Verdict::Undecided(_))
     })
 }

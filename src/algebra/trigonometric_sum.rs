@@ -1,0 +1,171 @@
+//! Sums of sines and cosines of rational angles, exactly.
+
+use std::collections::BTreeMap;
+
+use dashu_base::BitTest;
+
+use super::arithmetic::Arithmetic;
+use super::budget::{Budget, Exhausted};
+use super::number::Rational;
+
+/// Σ aₖ cos αₖ + bₖ sin αₖ with rational numbers aₖ, bₖ and rational angles αₖ ≥ 0, in radians.
+///
+/// Equal numbers have equal representations: by the theorem of Lindemann and Weierstrass 1 and the sines
+/// and cosines of different positive rational angles are linearly independent over the rationals. So such
+/// a number is 0 exactly where it has no term, which no enclosure could tell.
+///
+/// ```
+/// use sextic::algebra::arithmetic::Arithmetic;
+/// use sextic::algebra::budget::Budget;
+/// use sextic::algebra::number::Rational;
+/// use sextic::algebra::trigonometric_sum::{TrigonometricSum, TrigonometricSums};
+///
+/// let sums = TrigonometricSums::new(Budget::new(100));
+/// let third = Rational::from(1) / Rational::from(3);
+/// let (cos, sin) = (TrigonometricSum::cosine(&third), TrigonometricSum::sine(&third));
+/// let one = sums.sum(&sums.product(&cos, &cos)?, &sums.product(&sin, &sin)?)?;
+/// assert_eq!(one, sums.one());
+/// # Ok::<(), sextic::algebra::budget::Exhausted>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct TrigonometricSum {
+    /// αₖ, and aₖ and bₖ, not both 0; bₖ = 0 at αₖ = 0.
+    terms: BTreeMap<Rational, [Rational; 2]>,
+}
+
+impl TrigonometricSum {
+    /// cos α
+    pub fn cosine(angle: &Rational) -> Self {
+        let mut sum = TrigonometricSum::default();
+        sum.add(angle.clone(), [Rational::ONE, Rational::ZERO]);
+        sum
+    }
+
+    /// sin α
+    pub fn sine(angle: &Rational) -> Self {
+        let mut sum = TrigonometricSum::default();
+        sum.add(angle.clone(), [Rational::ZERO, Rational::ONE]);
+        sum
+    }
+
+    /// αₖ with aₖ and bₖ, the angles increasing.
+    pub fn terms(&self) -> impl Iterator<Item = (&Rational, &[Rational; 2])> {
+        self.terms.iter()
+    }
+
+    /// Whether it is 0.
+    pub fn is_zero(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// Its product with a rational number.
+    pub fn scaled(&self, factor: &Rational) -> Self {
+        let mut sum = TrigonometricSum::default();
+        for (angle, [a, b]) in &self.terms {
+            sum.add(angle.clone(), [a * factor, b * factor]);
+        }
+        sum
+    }
+
+    /// The machine words of all its numbers, about.
+    fn words(&self) -> u64 {
+        let bits = |own: &Rational| own.numerator().bit_len() + own.denominator().bit_len();
+        let words = |[a, b]: &[Rational; 2]| 1 + (bits(a) + bits(b)) as u64 / 128;
+        self.terms.values().map(words).sum()
+    }
+
+    /// Adds a cos α + b sin α.
+    fn add(&mut self, angle: Rational, [a, b]: [Rational; 2]) {
+        let (angle, b) = match angle.partial_cmp(&Rational::ZERO) {
+            Some(std::cmp::Ordering::Less) => (-angle, -b),
+            Some(std::cmp::Ordering::Equal) => (angle, Rational::ZERO),
+            _ => (angle, b),
+        };
+        let [x, y] = self.terms.remove(&angle).unwrap_or_default();
+        let sum = [x + a, y + b];
+        if sum.iter().any(|own| !own.is_zero()) {
+            self.terms.insert(angle, sum);
+        }
+    }
+}
+
+impl From<Rational> for TrigonometricSum {
+    fn from(number: Rational) -> Self {
+        let mut sum = TrigonometricSum::default();
+        sum.add(Rational::ZERO, [number, Rational::ZERO]);
+        sum
+    }
+}
+
+/// The ring of [`TrigonometricSum`]s; a product costs a step for each pair of machine words.
+#[derive(Clone, Debug)]
+pub struct TrigonometricSums {
+    budget: Budget,
+}
+
+impl TrigonometricSums {
+    /// The ring, with a supply of steps.
+    pub fn new(budget: Budget) -> Self {
+        TrigonometricSums { budget }
+    }
+}
+
+impl Arithmetic for TrigonometricSums {
+    type Element = TrigonometricSum;
+    type Error = Exhausted;
+
+    fn zero(&self) -> TrigonometricSum {
+        TrigonometricSum::default()
+    }
+
+    fn one(&self) -> TrigonometricSum {
+        TrigonometricSum::from(Rational::ONE)
+    }
+
+    fn is_zero(&self, a: &TrigonometricSum) -> bool {
+        a.is_zero()
+    }
+
+    fn sum(
+        &self,
+        a: &TrigonometricSum,
+        b: &TrigonometricSum,
+    ) -> Result<TrigonometricSum, Exhausted> {
+        let (mut sum, other) = if a.terms.len() < b.terms.len() {
+            (b.clone(), a)
+        } else {
+            (a.clone(), b)
+        };
+        for (angle, factors) in &other.terms {
+            sum.add(angle.clone(), factors.clone());
+        }
+        Ok(sum)
+    }
+
+    fn negative(&self, a: &TrigonometricSum) -> TrigonometricSum {
+        let negative = |(angle, [a, b]): (&Rational, &[Rational; 2])| (angle.clone(), [-a, -b]);
+        TrigonometricSum {
+            terms: a.terms.iter().map(negative).collect(),
+        }
+    }
+
+    fn product(
+        &self,
+        one: &TrigonometricSum,
+        other: &TrigonometricSum,
+    ) -> Result<TrigonometricSum, Exhausted> {
+        self.budget.spend(one.words() * other.words())?;
+        let half = Rational::ONE / Rational::from(2);
+        let mut product = TrigonometricSum::default();
+        for (alpha, [cosine, sine]) in &one.terms {
+            let (a, b) = (cosine * &half, sine * &half);
+            for (beta, [c, d]) in &other.terms {
+                // (a cos α + b sin α)(c cos β + d sin β), by the sum and the difference of the angles.
+                let (ac, bd, ad, bc) = (&a * c, &b * d, &a * d, &b * c);
+                product.add(alpha + beta, [&ac - &bd, &ad + &bc]);
+                product.add(alpha - beta, [ac + bd, bc - ad]);
+            }
+        }
+        Ok(product)
+    }
+}

@@ -1,0 +1,134 @@
+//! Polynomials in one unknown over any [`Arithmetic`].
+
+use super::arithmetic::Arithmetic;
+
+/// The ring of polynomials in one unknown, with coefficients of another ring.
+///
+/// A polynomial is the list of its coefficients, that of the power 0 first; the last one is not 0. Over
+/// polynomials again it has a second unknown, and [`determinant`](super::determinant::determinant) serves
+/// them all.
+///
+/// ```
+/// use sextic::algebra::arithmetic::Arithmetic;
+/// use sextic::algebra::budget::Budget;
+/// use sextic::algebra::trigonometric_sum::{TrigonometricSum, TrigonometricSums};
+/// use sextic::algebra::univariate::Univariate;
+///
+/// let numbers = TrigonometricSums::new(Budget::new(100));
+/// let polynomials = Univariate(&numbers);
+/// let number = |n: i32| TrigonometricSum::from(n.into());
+/// // (x − 1) (x + 1) = x² − 1
+/// let product = polynomials.product(&vec![number(-1), number(1)], &vec![number(1), number(1)])?;
+/// assert_eq!(product, [number(-1), number(0), number(1)]);
+/// # Ok::<(), sextic::algebra::budget::Exhausted>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Univariate<'a, A>(pub &'a A);
+
+impl<A: Arithmetic> Univariate<'_, A> {
+    /// The polynomial with these coefficients, without leading zeros.
+    pub fn polynomial(&self, mut coefficients: Vec<A::Element>) -> Vec<A::Element> {
+        while coefficients.last().is_some_and(|last| self.0.is_zero(last)) {
+            coefficients.pop();
+        }
+        coefficients
+    }
+
+    /// The derivative.
+    ///
+    /// # Errors
+    ///
+    /// Those of the coefficients.
+    pub fn derivative(&self, a: &[A::Element]) -> Result<Vec<A::Element>, A::Error> {
+        let mut power = self.0.zero();
+        let mut slopes = Vec::with_capacity(a.len());
+        for coefficient in a.iter().skip(1) {
+            power = self.0.sum(&power, &self.0.one())?;
+            slopes.push(self.0.product(&power, coefficient)?);
+        }
+        Ok(self.polynomial(slopes))
+    }
+
+    /// q and s with lᵏ·a = q·b + s, where l is the leading coefficient of b, k is even, and s has a lower
+    /// degree than b: nothing is divided, and lᵏ is not negative where l is real.
+    ///
+    /// # Errors
+    ///
+    /// Those of the coefficients.
+    ///
+    /// # Panics
+    ///
+    /// If b is 0.
+    pub fn pseudo_division(
+        &self,
+        a: &[A::Element],
+        b: &[A::Element],
+    ) -> Result<(Vec<A::Element>, Vec<A::Element>), A::Error> {
+        let leading = b.last().expect("what is divided by is not 0");
+        let (mut quotient, mut rest) = (self.zero(), a.to_vec());
+        let mut is_even = true;
+        loop {
+            let is_done = rest.len() < b.len();
+            if is_done && is_even {
+                return Ok((quotient, rest));
+            }
+            // The leading terms cancel; once they are gone only the factor is made even.
+            let constant = vec![leading.clone()];
+            let mut term = self.zero();
+            if let (false, Some(last)) = (is_done, rest.last()) {
+                term = vec![self.0.zero(); rest.len() - b.len()];
+                term.push(last.clone());
+            }
+            let taken = self.product(&term, &b.to_vec())?;
+            quotient = self.sum(&self.product(&constant, &quotient)?, &term)?;
+            let length = rest.len();
+            rest = self.difference(&self.product(&constant, &rest)?, &taken)?;
+            if !is_done {
+                rest.truncate(length - 1);
+                rest = self.polynomial(rest);
+            }
+            is_even = !is_even;
+        }
+    }
+}
+
+impl<A: Arithmetic> Arithmetic for Univariate<'_, A> {
+    type Element = Vec<A::Element>;
+    type Error = A::Error;
+
+    fn zero(&self) -> Self::Element {
+        Vec::new()
+    }
+
+    fn one(&self) -> Self::Element {
+        vec![self.0.one()]
+    }
+
+    fn is_zero(&self, a: &Self::Element) -> bool {
+        a.is_empty()
+    }
+
+    fn sum(&self, a: &Self::Element, b: &Self::Element) -> Result<Self::Element, Self::Error> {
+        let (long, short) = if a.len() < b.len() { (b, a) } else { (a, b) };
+        let mut sum = long.clone();
+        for (own, other) in sum.iter_mut().zip(short) {
+            *own = self.0.sum(own, other)?;
+        }
+        Ok(self.polynomial(sum))
+    }
+
+    fn negative(&self, a: &Self::Element) -> Self::Element {
+        a.iter().map(|own| self.0.negative(own)).collect()
+    }
+
+    fn product(&self, a: &Self::Element, b: &Self::Element) -> Result<Self::Element, Self::Error> {
+        let mut product = vec![self.0.zero(); (a.len() + b.len()).saturating_sub(1)];
+        for (i, own) in a.iter().enumerate() {
+            for (j, other) in b.iter().enumerate() {
+                let term = self.0.product(own, other)?;
+                product[i + j] = self.0.sum(&product[i + j], &term)?;
+            }
+        }
+        Ok(self.polynomial(product))
+    }
+}

@@ -1,0 +1,94 @@
+//! `sextic speeds`: the wind speeds at which a section gallops.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+use crate::report::speeds::SpeedsFound;
+use crate::report::{csv, json, text};
+use crate::stability::critical_speed::speeds_of;
+
+use super::Outcome;
+use super::case::{case_and_table, refuse};
+use super::output::{finish, width};
+
+/// Finds the critical wind speeds of a case, all of them
+///
+/// At each angle of the case: from which wind speed on the section gallops, and at which it is stable again.
+/// The speeds are the roots of a Hurwitz determinant as a polynomial in U, isolated in exact arithmetic, so
+/// that none is missed; the wind speed of the case does not matter. Numbers of the case count as doubles.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// A case file: `sextic stability --help` shows one
+    #[arg(value_name = "CASE")]
+    case: PathBuf,
+
+    /// The highest wind speed, in m/s
+    #[arg(long, value_name = "SPEED", default_value = "100", value_parser = speed)]
+    to: f64,
+
+    /// How the results are written
+    #[arg(long, value_enum, default_value_t = Form::Text)]
+    format: Form,
+
+    /// How many columns text may fill (at least 40); as many as the terminal has if not given
+    #[arg(long, value_name = "COLUMNS", value_parser = clap::value_parser!(u16).range(40..))]
+    width: Option<u16>,
+}
+
+/// How speeds are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Form {
+    /// A page for a terminal: the lowest critical speed, and where each angle gallops
+    Text,
+    /// A row a range of speeds
+    Csv,
+    /// For programs, with critical speeds and their errors
+    Json,
+}
+
+const EXAMPLES: &str = "\
+Verdicts:
+  stable     every eigenvalue has a negative real part, at all speeds of the range
+  unstable   one has a positive real part, at all speeds of the range
+  undecided  neither is shown: a real part that is exactly 0 at every speed, or speeds closer than 1e-12 of
+             the highest one
+
+Rows of --format csv are ranges of speeds, with as many decimals as are certain. Between a stable and an
+unstable range there is exactly one critical speed.
+
+Examples:
+  sextic speeds case.toml
+  sextic speeds case.toml --to 40 --format json | jq '.points[].critical'";
+
+/// Finds the speeds and writes them.
+pub fn run(arguments: &Arguments) -> Outcome {
+    let (case, table) = match case_and_table(&arguments.case) {
+        Ok(both) => both,
+        Err(outcome) => return outcome,
+    };
+    let angles = match speeds_of(&case, &table, arguments.to) {
+        Ok(angles) => angles,
+        Err(error) => return refuse(&error),
+    };
+    let found = SpeedsFound {
+        case,
+        highest: arguments.to,
+        angles,
+    };
+    let written = match arguments.format {
+        Form::Text => text::speeds(&found, width(arguments.width)),
+        Form::Csv => csv::speeds(&found),
+        Form::Json => json::speeds(&found),
+    };
+    finish(&written, Outcome::AsExpected)
+}
+
+/// A speed above 0 that makes sense: nothing is faster than light.
+fn speed(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(speed) if speed > 0.0 && speed <= 3e8 => Ok(speed),
+        _ => Err("the highest wind speed is a number above 0, in m/s".to_string()),
+    }
+}

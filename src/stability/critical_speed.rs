@@ -1,0 +1,335 @@
+//! The wind speeds at which a section begins and ceases to gallop, all of them.
+
+use rayon::prelude::*;
+
+use crate::algebra::arithmetic::Arithmetic;
+use crate::algebra::budget::{Budget, Exhausted};
+use crate::algebra::interval::{Interval, Intervals, KnownSign};
+use crate::algebra::number::{Integer, Rational};
+use crate::algebra::trigonometric_sum::TrigonometricSums;
+use crate::algebra::univariate::Univariate;
+
+use super::bernstein::Bernstein;
+use super::case::Case;
+use super::coefficient_table::CoefficientTable;
+use super::comparison::section_at;
+use super::exact::{ExactSection, InSpeed};
+use super::hurwitz::hurwitz_determinants;
+use super::input::InputError;
+use super::interpolation::CoefficientCurves;
+
+/// What is certain of a section at all wind speeds of a range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stability {
+    /// All eigenvalues have negative real parts.
+    Stable,
+    /// An eigenvalue has a positive real part.
+    Unstable,
+    /// Neither is shown.
+    Undecided,
+}
+
+impl Stability {
+    /// `stable`, `unstable` or `undecided`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Stability::Stable => "stable",
+            Stability::Unstable => "unstable",
+            Stability::Undecided => "undecided",
+        }
+    }
+}
+
+/// Wind speeds in m/s, all of one stability.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpeedRange {
+    /// The lowest speed.
+    pub from: f64,
+    /// The highest speed.
+    pub to: f64,
+    /// What is certain at every speed between.
+    pub stability: Stability,
+}
+
+/// A wind speed at which stability changes: a simple root of Hurwitz' last determinant but one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CriticalSpeed {
+    /// The speed, in m/s.
+    pub speed: f64,
+    /// What is exact is no farther away.
+    pub error: f64,
+    /// What the section is above it.
+    pub becomes: Stability,
+}
+
+/// The wind speeds above 0 up to a highest one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Speeds {
+    /// Ranges in order. Between two of them that are stable and unstable there is one critical speed.
+    pub ranges: Vec<SpeedRange>,
+    /// Whether a motion neither grows nor dies out at any speed, exactly: then nothing is stable.
+    pub is_neutral: bool,
+}
+
+impl Speeds {
+    /// The speeds at which stability changes for certain, in order.
+    pub fn critical(&self) -> Vec<CriticalSpeed> {
+        let changes = self
+            .ranges
+            .windows(2)
+            .filter(|pair| pair.iter().all(|own| own.stability != Stability::Undecided));
+        let critical = |pair: &[SpeedRange]| CriticalSpeed {
+            speed: (pair[0].to + pair[1].from) / 2.0,
+            error: (pair[1].from - pair[0].to).next_up() / 2.0 + pair[1].from * f64::EPSILON,
+            becomes: pair[1].stability,
+        };
+        changes.map(critical).collect()
+    }
+}
+
+/// The digits of the enclosures; more where fewer leave something open.
+const DIGITS: [usize; 2] = [256, 1024];
+
+/// Products of machine words in the exact coefficients.
+const MOST_PRODUCTS: u64 = 1_000_000;
+
+/// The wind speeds at which a section is stable and unstable, above 0 and up to `highest` in m/s.
+///
+/// The characteristic polynomial is a polynomial in U with exact coefficients, and so are Hurwitz'
+/// determinants. On a range of speeds they are above 0, or one is below, if their Bernstein coefficients
+/// are; a range on which neither is so is halved, down to 2⁻⁴⁰ of the highest speed. What is left is a
+/// critical speed where the last determinant but one, which alone vanishes where a pair of roots becomes
+/// imaginary (Orlando), is monotonous and the earlier ones are above 0; else it is undecided. Speeds below
+/// the smallest part are not told from 0.
+///
+/// Without a highest speed above 0 there are no ranges. Bounded: at most 20,000 ranges are looked at.
+pub fn speeds(section: &ExactSection, highest: f64) -> Speeds {
+    let unit = Rational::try_from(highest).unwrap_or_default();
+    if unit <= Rational::ZERO {
+        return Speeds {
+            ranges: Vec::new(),
+            is_neutral: false,
+        };
+    }
+    let undecided = Speeds {
+        ranges: vec![SpeedRange {
+            from: 0.0,
+            to: highest,
+            stability: Stability::Undecided,
+        }],
+        is_neutral: false,
+    };
+    let sums = TrigonometricSums::new(Budget::new(MOST_PRODUCTS));
+    let Ok((polynomial, is_neutral)) = without_neutral_pairs(section, &unit, &sums) else {
+        return undecided;
+    };
+    let mut found = undecided;
+    for bits in DIGITS {
+        let intervals = Intervals::new(bits);
+        let mut ranges = ranges(&polynomial, &intervals, highest);
+        if is_neutral {
+            let stable = |own: &&mut SpeedRange| own.stability == Stability::Stable;
+            ranges
+                .iter_mut()
+                .filter(stable)
+                .for_each(|own| own.stability = Stability::Undecided);
+        }
+        let is_open = ranges
+            .iter()
+            .any(|own| own.stability == Stability::Undecided);
+        found = Speeds { ranges, is_neutral };
+        if !is_open || is_neutral {
+            break;
+        }
+    }
+    found
+}
+
+/// The characteristic polynomial in powers of λ and of U over `unit`, divided by λ² + ω² as often as a
+/// natural frequency ω allows, and whether one did.
+fn without_neutral_pairs(
+    section: &ExactSection,
+    unit: &Rational,
+    sums: &TrigonometricSums,
+) -> Result<(Vec<InSpeed>, bool), Exhausted> {
+    let in_speed = Univariate(sums);
+    let in_lambda = Univariate(&in_speed);
+    let mut polynomial = section.characteristic_polynomial(unit, sums)?;
+    let mut is_neutral = false;
+    for pair in section.natural_pairs() {
+        let powers = [&pair[0], &sums.zero(), &pair[1]];
+        let pair: Vec<InSpeed> = powers
+            .map(|own| in_speed.polynomial(vec![own.clone()]))
+            .to_vec();
+        let (quotient, rest) = in_lambda.pseudo_division(&polynomial, &pair)?;
+        if rest.is_empty() {
+            (polynomial, is_neutral) = (quotient, true);
+        }
+    }
+    Ok((polynomial, is_neutral))
+}
+
+/// Ranges by the determinants H_1 to H_{n−1} of a polynomial of degree n; H_n has the sign of H_{n−1}, since
+/// the constant coefficient is the determinant of the stiffness.
+fn ranges(polynomial: &[InSpeed], intervals: &Intervals, highest: f64) -> Vec<SpeedRange> {
+    let in_speed = Univariate(intervals);
+    let enclosed: Vec<Vec<Interval>> = polynomial
+        .iter()
+        .map(|powers| {
+            in_speed.polynomial(powers.iter().map(|own| intervals.enclosure(own)).collect())
+        })
+        .collect();
+    let Ok(mut determinants) = hurwitz_determinants(&enclosed, &in_speed);
+    determinants.pop();
+    let forms: Vec<Bernstein> = determinants
+        .iter()
+        .map(|own| Bernstein::new(own, intervals))
+        .collect();
+    let mut search = Search {
+        places: Vec::new(),
+        boxes: 0,
+    };
+    // Where one vanishes at all speeds nothing can be isolated.
+    let vanishes = |own: &Vec<Interval>| {
+        let unknown = |own: &Interval| matches!(own.sign(), KnownSign::Zero | KnownSign::Unknown);
+        own.iter().all(unknown)
+    };
+    if determinants.last().is_some_and(vanishes) {
+        search.boxes = MOST_BOXES;
+    }
+    search.look(&forms, Integer::ZERO, 0);
+    search.ranges(highest)
+}
+
+/// The smallest part of the highest speed is 2 to the power of minus this.
+const DEPTH: usize = 40;
+
+/// The most ranges that are looked at.
+const MOST_BOXES: usize = 20_000;
+
+/// What is known of the speeds from one multiple of the smallest part to another.
+struct PlaceRange {
+    from: Integer,
+    to: Integer,
+    found: Found,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Found {
+    Certain(Stability),
+    /// At most one root of the last determinant, the earlier ones being positive.
+    OneRoot {
+        is_rising: bool,
+    },
+}
+
+struct Search {
+    places: Vec<PlaceRange>,
+    boxes: usize,
+}
+
+impl Search {
+    /// Looks at the speeds from `place`/2^depth to one more.
+    fn look(&mut self, forms: &[Bernstein], place: Integer, depth: usize) {
+        let signs: Vec<KnownSign> = forms.iter().map(Bernstein::sign).collect();
+        let is = |sign: KnownSign| move |own: &KnownSign| *own == sign;
+        let found = if signs.iter().all(is(KnownSign::Positive)) {
+            Found::Certain(Stability::Stable)
+        } else if signs.iter().any(is(KnownSign::Negative)) {
+            Found::Certain(Stability::Unstable)
+        } else if depth == DEPTH || self.boxes >= MOST_BOXES {
+            let slope = forms.last().map(Bernstein::slope_sign);
+            let are_others_positive = signs.iter().rev().skip(1).all(is(KnownSign::Positive));
+            match slope {
+                Some(KnownSign::Positive) if are_others_positive => {
+                    Found::OneRoot { is_rising: true }
+                }
+                Some(KnownSign::Negative) if are_others_positive => {
+                    Found::OneRoot { is_rising: false }
+                }
+                _ => Found::Certain(Stability::Undecided),
+            }
+        } else {
+            self.boxes += 1;
+            let (lower, upper): (Vec<_>, Vec<_>) = forms.iter().map(Bernstein::halves).unzip();
+            let place = place << 1;
+            self.look(&lower, place.clone(), depth + 1);
+            self.look(&upper, place + Integer::ONE, depth + 1);
+            return;
+        };
+        let width = DEPTH - depth;
+        let (from, to) = (&place << width, (place + Integer::ONE) << width);
+        match self.places.last_mut() {
+            Some(last) if last.found == found => last.to = to,
+            _ => self.places.push(PlaceRange { from, to, found }),
+        }
+    }
+
+    /// The ranges in m/s; what holds one root between a stable and an unstable one is left out.
+    fn ranges(&self, highest: f64) -> Vec<SpeedRange> {
+        let certain = |place: Option<&PlaceRange>| match place.map(|own| own.found) {
+            Some(Found::Certain(stability)) => Some(stability),
+            _ => None,
+        };
+        let mut ranges: Vec<SpeedRange> = Vec::new();
+        for (index, own) in self.places.iter().enumerate() {
+            let before = index
+                .checked_sub(1)
+                .and_then(|index| self.places.get(index));
+            let stability = match own.found {
+                Found::Certain(stability) => stability,
+                Found::OneRoot { is_rising } => {
+                    let (low, high) = match is_rising {
+                        true => (Stability::Unstable, Stability::Stable),
+                        false => (Stability::Stable, Stability::Unstable),
+                    };
+                    let after = certain(self.places.get(index + 1));
+                    if certain(before) == Some(low) && after == Some(high) {
+                        continue;
+                    }
+                    Stability::Undecided
+                }
+            };
+            // The first part is not told from 0.
+            if own.from.is_zero() && own.to == Integer::ONE && stability == Stability::Undecided {
+                continue;
+            }
+            ranges.push(SpeedRange {
+                from: speed(&own.from, highest).next_up(),
+                to: speed(&own.to, highest).next_down(),
+                stability,
+            });
+        }
+        // What lies at the ends is known to them.
+        if let Some(first) = ranges.first_mut().filter(|own| own.from < highest * 1e-11) {
+            first.from = 0.0;
+        }
+        if let Some(last) = ranges.last_mut() {
+            last.to = highest;
+        }
+        ranges
+    }
+}
+
+fn speed(place: &Integer, highest: f64) -> f64 {
+    let part = Rational::from(place.clone()) / Rational::from(Integer::ONE << DEPTH);
+    part.to_f64().value() * highest
+}
+
+/// The speeds of a case at all its angles, in degrees.
+///
+/// # Errors
+///
+/// If an angle is outside of the table, or no section is possible there.
+pub fn speeds_of(
+    case: &Case,
+    table: &CoefficientTable,
+    highest: f64,
+) -> Result<Vec<(f64, Speeds)>, InputError> {
+    let curves = CoefficientCurves::new(table, case.interpolation);
+    let at = |angle: f64| {
+        let section = section_at(case, table, &curves, angle)?;
+        Ok((angle, speeds(&ExactSection::from(&section), highest)))
+    };
+    case.angles.values().into_par_iter().map(at).collect()
+}

@@ -1,0 +1,236 @@
+//! A section in exact numbers: its characteristic polynomial as it is given, without any rounding.
+
+use dashu_base::BitTest;
+
+use crate::algebra::arithmetic::Arithmetic;
+use crate::algebra::budget::Exhausted;
+use crate::algebra::determinant::determinant;
+use crate::algebra::matrix::Matrix;
+use crate::algebra::number::{Integer, Rational};
+use crate::algebra::trigonometric_sum::{TrigonometricSum as Sum, TrigonometricSums};
+use crate::algebra::univariate::Univariate;
+
+use super::coordinate::Coordinate;
+use super::error::StabilityError;
+use super::forces::Forces;
+use super::section::{Coefficients, Parameters, Section};
+
+/// The parameters of a section as exact numbers: possible ones, as for a [`Section`].
+///
+/// ```
+/// use sextic::algebra::number::Rational;
+/// use sextic::stability::exact::ExactSection;
+/// use sextic::stability::section::Parameters;
+///
+/// let tenth = Rational::from(1) / Rational::from(10);
+/// let parameters = Parameters {
+///     mass: Rational::from(3),
+///     radius_of_gyration: tenth.clone(),
+///     reference_dimension: tenth.clone(),
+///     air_density: Rational::ONE,
+///     natural_frequencies: [1, 2, 3].map(Rational::from),
+///     ..Parameters::default()
+/// };
+/// assert!(ExactSection::new(parameters.clone()).is_ok());
+/// let impossible = Parameters { mass_centre_distance: tenth, ..parameters };
+/// assert!(ExactSection::new(impossible).is_err());
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExactSection(Parameters<Rational>);
+
+/// A polynomial in the wind speed.
+pub(super) type InSpeed = Vec<Sum>;
+
+impl ExactSection {
+    /// Checks the parameters, by the doubles nearest to them.
+    ///
+    /// # Errors
+    ///
+    /// As [`Section::new`].
+    pub fn new(parameters: Parameters<Rational>) -> Result<Self, StabilityError> {
+        let nearest = parameters.map(|own| own.to_f64().value());
+        Section::new(nearest)?;
+        Ok(ExactSection(parameters))
+    }
+
+    /// The parameters.
+    pub fn parameters(&self) -> &Parameters<Rational> {
+        &self.0
+    }
+
+    /// The unit of frequency: a power of 2 near the largest natural frequency of a free coordinate.
+    pub(super) fn frequency_unit(&self) -> Rational {
+        let free = self.0.free.as_slice().iter();
+        let frequencies = free.map(|own| &self.0.natural_frequencies[own.index()]);
+        let largest = frequencies.max().cloned().unwrap_or(Rational::ONE);
+        let (above, below) = (largest.numerator(), largest.denominator());
+        let power = |digits: usize| Rational::from(Integer::ONE << digits);
+        power(above.bit_len()) / power(below.bit_len())
+    }
+
+    /// λ² + ω² for each natural frequency ω, in powers of λ² over the square of
+    /// [the unit](Self::frequency_unit): divisors of the characteristic polynomial where a motion is
+    /// neither damped nor coupled.
+    pub(super) fn natural_pairs(&self) -> Vec<Vec<Sum>> {
+        let unit = self.frequency_unit();
+        let free = self.0.free.as_slice().iter();
+        let pair = |own: &Coordinate| {
+            let omega = &self.0.natural_frequencies[own.index()] / &unit;
+            vec![Sum::from(&omega * &omega), Sum::from(Rational::ONE)]
+        };
+        free.map(pair).collect()
+    }
+
+    /// |λ²M + λ(C_s + C_a) + K| over powers of m and r, in powers of λ over
+    /// [the unit](Self::frequency_unit); each coefficient in powers of U over `speed_unit`.
+    ///
+    /// The matrices are those of [`Model`](super::model::Model), with S_a by Eq. (18).
+    ///
+    /// # Errors
+    ///
+    /// If the sums of sines and cosines become too long.
+    pub(super) fn characteristic_polynomial(
+        &self,
+        speed_unit: &Rational,
+        sums: &TrigonometricSums,
+    ) -> Result<Vec<InSpeed>, Exhausted> {
+        let p = &self.0;
+        let unit = self.frequency_unit();
+        let omega = p.natural_frequencies.each_ref().map(|own| own / &unit);
+        let two = Rational::from(2);
+        let wind = &p.air_density * &p.reference_dimension * speed_unit / (&two * &p.mass * &unit);
+        let scaled_damping = self.scaled_damping(sums)?;
+        let eccentricity = &p.mass_centre_distance / &p.radius_of_gyration;
+        let angle = &p.mass_centre_angle + &p.attitude;
+        let coupling = [Sum::sine(&angle), Sum::cosine(&angle)];
+        let coupling = coupling.map(|own| own.scaled(&eccentricity));
+
+        let in_speed = Univariate(sums);
+        let in_lambda = Univariate(&in_speed);
+        let constant = |sum: Sum| in_speed.polynomial(vec![sum]);
+        let entry = |i: usize, j: usize| {
+            let is_own = i == j;
+            let own = |number: Rational| match is_own {
+                true => Sum::from(number),
+                false => Sum::default(),
+            };
+            let mass = match (i, j) {
+                _ if is_own => Sum::from(Rational::ONE),
+                (2, side) | (side, 2) => coupling[side].clone(),
+                _ => Sum::default(),
+            };
+            let structural = own(&two * &omega[i] * &p.damping_ratios[i]);
+            let damping = vec![structural, scaled_damping[i][j].scaled(&wind)];
+            in_lambda.polynomial(vec![
+                constant(own(&omega[i] * &omega[i])),
+                in_speed.polynomial(damping),
+                constant(mass),
+            ])
+        };
+        let free = p.free.as_slice();
+        let matrix = Matrix::from_fn(free.len(), free.len(), |row, column| {
+            entry(free[row].index(), free[column].index())
+        });
+        determinant(&matrix, &in_lambda)
+    }
+
+    /// S_a, for the coordinates x, y and rθ.
+    pub(super) fn scaled_damping(
+        &self,
+        sums: &TrigonometricSums,
+    ) -> Result<[[Sum; 3]; 3], Exhausted> {
+        let p = &self.0;
+        let c = match &p.forces {
+            Forces::ScaledDamping(rows) => {
+                return Ok(rows.clone().map(|row| row.map(Sum::from)));
+            }
+            Forces::Coefficients(c) => c,
+        };
+        let forces = force_factor(c, &(&p.reference_dimension / &p.radius_of_gyration));
+        let lever = &p.aerodynamic_centre_distance / &p.radius_of_gyration;
+        let centre = &p.attitude + &p.aerodynamic_centre_angle;
+        let winds = wind_factor(&p.wind_angle, &centre, &lever, sums)?;
+        let mut product = [(); 3].map(|()| [(); 3].map(|()| sums.zero()));
+        for (i, row) in forces.iter().enumerate() {
+            for (factor, wind) in row.iter().zip(&winds) {
+                for (j, own) in wind.iter().enumerate() {
+                    product[i][j] = sums.sum(&product[i][j], &own.scaled(factor))?;
+                }
+            }
+        }
+        Ok(product)
+    }
+}
+
+/// The left factor of S_a in Eq. (18), with κ = D/r.
+fn force_factor(c: &Coefficients<Rational>, kappa: &Rational) -> [[Rational; 6]; 3] {
+    let (twice, zero) = (|own: &Rational| own + own, Rational::ZERO);
+    let (normal, along) = (&c.lift_slope + &c.drag, &c.lift - &c.drag_slope);
+    let none = || zero.clone();
+    [
+        [
+            twice(&c.drag),
+            twice(&c.lift),
+            normal.clone(),
+            along.clone(),
+            none(),
+            none(),
+        ],
+        [
+            twice(&c.lift),
+            -twice(&c.drag),
+            along,
+            -normal,
+            none(),
+            none(),
+        ],
+        [
+            none(),
+            none(),
+            none(),
+            none(),
+            kappa * twice(&c.moment),
+            kappa * &c.moment_slope,
+        ],
+    ]
+}
+
+/// The right factor of S_a in Eq. (18), with ε = L_a/r and the angle θ_0 + γ_r of A.
+fn wind_factor(
+    wind: &Rational,
+    centre: &Rational,
+    epsilon: &Rational,
+    sums: &TrigonometricSums,
+) -> Result<[[Sum; 3]; 6], Exhausted> {
+    let (c, s) = (Sum::cosine(wind), Sum::sine(wind));
+    let angle = wind + centre;
+    let (cosine, sine) = (Sum::cosine(&angle), Sum::sine(&angle));
+    let (cosine, sine) = (cosine.scaled(epsilon), sine.scaled(epsilon));
+    let minus = |own: &Sum| sums.negative(own);
+    let times = |one: &Sum, other: &Sum| sums.product(one, other);
+    let (cc, cs, ss) = (times(&c, &c)?, times(&c, &s)?, times(&s, &s)?);
+    Ok([
+        [cc.clone(), cs.clone(), times(&sine, &c)?],
+        [minus(&cs), minus(&ss), minus(&times(&sine, &s)?)],
+        [ss, minus(&cs), minus(&times(&cosine, &s)?)],
+        [cs, minus(&cc), minus(&times(&cosine, &c)?)],
+        [c.clone(), s.clone(), sine],
+        [minus(&s), c, cosine],
+    ])
+}
+
+impl From<&Section> for ExactSection {
+    /// The doubles of a section as exact numbers; of α_g + θ_0 and γ_r + θ_0 the sum in doubles, which is
+    /// what sines are taken of everywhere else.
+    fn from(section: &Section) -> Self {
+        let p = section.parameters();
+        // Parameters of a section are finite.
+        let exact = |own: &f64| Rational::try_from(*own).unwrap_or_default();
+        let beside = |angle: f64| exact(&(angle + p.attitude)) - exact(&p.attitude);
+        ExactSection(Parameters {
+            mass_centre_angle: beside(p.mass_centre_angle),
+            aerodynamic_centre_angle: beside(p.aerodynamic_centre_angle),
+            ..p.map(exact)
+        })
+    }
+}
