@@ -17,6 +17,8 @@ use sextic::stability::case::Case;
 use sextic::stability::closed_form::closed_form;
 use sextic::stability::coefficient_table::CoefficientTable;
 use sextic::stability::comparison::compare as compare_methods;
+use sextic::stability::critical_speed::speeds;
+use sextic::stability::exact::ExactSection;
 use sextic::stability::grid::{Grid, Methods, Rows};
 use sextic::stability::interpolation::CoefficientCurves;
 use sextic::stability::model::Model;
@@ -24,6 +26,7 @@ use sextic::stability::section::Section;
 use sextic::stability::tracking::Mode;
 use sextic::stability::uniform_form::uniform_form;
 use sextic::stability::variable::Variable;
+use sextic::stability::verdict::{exact_verdict, verdict};
 use sextic::stability::{companion, state_matrix};
 use side_by_side::{Contender, compare};
 
@@ -90,6 +93,30 @@ fn all_methods(case: &Case, table: &CoefficientTable) {
                     black_box(state_matrix::eigenvalues(model).unwrap());
                 }
             }),
+            Contender::new(
+                "state matrix with bounds, and a certain verdict",
+                count,
+                || {
+                    for (section, model) in sections.iter().zip(&models) {
+                        let spectrum = state_matrix::eigenvalues(model).unwrap();
+                        black_box(verdict(section, &spectrum));
+                    }
+                },
+            ),
+            Contender::new("a verdict in exact arithmetic", count / 100, || {
+                for section in sections.iter().step_by(100) {
+                    black_box(exact_verdict(&ExactSection::from(section)));
+                }
+            }),
+            Contender::new(
+                "all critical wind speeds up to 100 m/s",
+                count / 100,
+                || {
+                    for section in sections.iter().step_by(100) {
+                        black_box(speeds(&ExactSection::from(section), 100.0));
+                    }
+                },
+            ),
             Contender::new("companion matrix with bounds", count, || {
                 for model in &models {
                     black_box(companion::eigenvalues(model).unwrap());

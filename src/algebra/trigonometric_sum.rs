@@ -169,3 +169,74 @@ impl Arithmetic for TrigonometricSums {
         Ok(product)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::interval::{Intervals, KnownSign};
+    use crate::algebra::univariate::Univariate;
+    use proptest::prelude::*;
+
+    fn sum() -> impl Strategy<Value = TrigonometricSum> {
+        prop::collection::vec((-3_i64..4, -3_i64..4, -2_i64..3), 0..4).prop_map(|terms| {
+            let mut sum = TrigonometricSum::default();
+            for (angle, a, b) in terms {
+                let angle = Rational::from(angle) / Rational::from(2);
+                sum.add(angle, [Rational::from(a), Rational::from(b)]);
+            }
+            sum
+        })
+    }
+
+    fn sums() -> TrigonometricSums {
+        TrigonometricSums::new(Budget::new(1_000_000))
+    }
+
+    proptest! {
+        #[test]
+        fn sums_of_sines_are_a_ring(a in sum(), b in sum(), c in sum()) {
+            let ring = sums();
+            let times = |a: &_, b: &_| ring.product(a, b).expect("short");
+            let plus = |a: &_, b: &_| ring.sum(a, b).expect("short");
+            prop_assert_eq!(times(&a, &b), times(&b, &a));
+            prop_assert_eq!(times(&times(&a, &b), &c), times(&a, &times(&b, &c)));
+            prop_assert_eq!(times(&a, &plus(&b, &c)), plus(&times(&a, &b), &times(&a, &c)));
+            prop_assert!(plus(&a, &ring.negative(&a)).is_zero());
+            prop_assert_eq!(times(&a, &ring.one()), a.clone());
+            // No zero divisors, and what is not 0 is told from it by its digits.
+            prop_assert_eq!(times(&a, &b).is_zero(), a.is_zero() || b.is_zero());
+            let sign = Intervals::new(200).enclosure(&a).sign();
+            prop_assert_eq!(a.is_zero(), sign == KnownSign::Zero);
+            prop_assert!(sign != KnownSign::Unknown);
+        }
+
+        #[test]
+        fn products_are_those_of_their_values(a in sum(), b in sum()) {
+            let (ring, intervals) = (sums(), Intervals::new(100));
+            let product = intervals.enclosure(&ring.product(&a, &b).expect("short"));
+            let Ok(expected) = intervals.product(&intervals.enclosure(&a), &intervals.enclosure(&b));
+            prop_assert!(!matches!(product.compared(&expected), KnownSign::Positive | KnownSign::Negative));
+        }
+
+        #[test]
+        fn a_pseudo_quotient_gives_the_dividend_back(a in prop::collection::vec(sum(), 0..5), b in prop::collection::vec(sum(), 1..4)) {
+            let ring = sums();
+            let polynomials = Univariate(&ring);
+            let (a, b) = (polynomials.polynomial(a), polynomials.polynomial(b));
+            prop_assume!(!b.is_empty());
+            let (quotient, rest) = polynomials.pseudo_division(&a, &b).expect("short");
+            prop_assert!(rest.len() < b.len());
+            let product = polynomials.product(&quotient, &b).expect("short");
+            let sum = polynomials.sum(&product, &rest).expect("short");
+            // lᵏ a for some even k
+            let square = polynomials.product(&vec![b[b.len() - 1].clone()], &vec![b[b.len() - 1].clone()]).expect("short");
+            let mut multiple = a;
+            let is_one = (0..=4).any(|_| {
+                let is_equal = multiple == sum;
+                multiple = polynomials.product(&multiple, &square).expect("short");
+                is_equal
+            });
+            prop_assert!(is_one);
+        }
+    }
+}

@@ -25,6 +25,9 @@ use super::arithmetic::Arithmetic;
 #[derive(Clone, Copy, Debug)]
 pub struct Univariate<'a, A>(pub &'a A);
 
+/// The coefficients of a polynomial, that of the power 0 first.
+pub type Coefficients<A> = Vec<<A as Arithmetic>::Element>;
+
 impl<A: Arithmetic> Univariate<'_, A> {
     /// The polynomial with these coefficients, without leading zeros.
     pub fn polynomial(&self, mut coefficients: Vec<A::Element>) -> Vec<A::Element> {
@@ -63,7 +66,7 @@ impl<A: Arithmetic> Univariate<'_, A> {
         &self,
         a: &[A::Element],
         b: &[A::Element],
-    ) -> Result<(Vec<A::Element>, Vec<A::Element>), A::Error> {
+    ) -> Result<(Coefficients<A>, Coefficients<A>), A::Error> {
         let leading = b.last().expect("what is divided by is not 0");
         let (mut quotient, mut rest) = (self.zero(), a.to_vec());
         let mut is_even = true;

@@ -89,6 +89,6 @@ pub fn run(arguments: &Arguments) -> Outcome {
 fn speed(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(speed) if speed > 0.0 && speed <= 3e8 => Ok(speed),
-        _ => Err("the highest wind speed is a number above 0, in m/s".to_string()),
+        _ => Err("the highest wind speed is a number above 0 and at most 3e8, in m/s".to_string()),
     }
 }

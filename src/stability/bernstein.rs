@@ -72,3 +72,71 @@ fn binomial(n: usize, k: usize) -> Integer {
         product * Integer::from(n - i) / Integer::from(i + 1)
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// The value at a number, by Horner's rule.
+    fn value(coefficients: &[i64], at: &Rational) -> Rational {
+        let step = |sum: Rational, own: &i64| sum * at + Rational::from(*own);
+        coefficients.iter().rev().fold(Rational::ZERO, step)
+    }
+
+    proptest! {
+        #[test]
+        fn a_sign_is_that_of_all_values(coefficients in prop::collection::vec(-9_i64..10, 1..8), path in prop::collection::vec(any::<bool>(), 0..6)) {
+            prop_assume!(coefficients[0] != 0);
+            let intervals = Intervals::new(64);
+            let exact: Vec<Interval> = coefficients.iter().map(|own| intervals.rational(&Rational::from(*own))).collect();
+            let mut form = Bernstein::new(&exact, &intervals);
+            let (mut from, mut width) = (Rational::ZERO, Rational::ONE);
+            for is_upper in path {
+                let (lower, upper) = form.halves();
+                width /= Rational::from(2);
+                if is_upper {
+                    from += &width;
+                }
+                form = if is_upper { upper } else { lower };
+            }
+            let values: Vec<Rational> = (0..=8).map(|part| {
+                let at = &from + &width * Rational::from(part) / Rational::from(8);
+                value(&coefficients, &at)
+            }).collect();
+            match form.sign() {
+                KnownSign::Positive => prop_assert!(values.iter().all(|own| *own > Rational::ZERO)),
+                KnownSign::Negative => prop_assert!(values.iter().all(|own| *own < Rational::ZERO)),
+                _ => (),
+            }
+            match form.slope_sign() {
+                KnownSign::Positive => prop_assert!(values.windows(2).all(|pair| pair[0] < pair[1])),
+                KnownSign::Negative => prop_assert!(values.windows(2).all(|pair| pair[0] > pair[1])),
+                _ => (),
+            }
+            // The first and the last coefficient are the values at the ends.
+            for (own, expected) in [(form.0.first(), values.first()), (form.0.last(), values.last())] {
+                let (Some(own), Some(expected)) = (own, expected) else { panic!("no ends") };
+                let [low, high] = intervals.bounds(own);
+                prop_assert!(&low <= expected && expected <= &high);
+            }
+        }
+    }
+
+    #[test]
+    fn what_has_no_root_on_a_range_is_seen_at_once() {
+        let intervals = Intervals::new(64);
+        let number = |own: i64| intervals.rational(&Rational::from(own));
+        // 2 − t, t (2 − t) and t − 2
+        for (coefficients, sign) in [
+            (vec![2, -1], KnownSign::Positive),
+            (vec![0, 2, -1], KnownSign::Positive),
+            (vec![-2, 1], KnownSign::Negative),
+            (vec![-1, 2], KnownSign::Unknown),
+            (vec![], KnownSign::Zero),
+        ] {
+            let coefficients: Vec<Interval> = coefficients.into_iter().map(number).collect();
+            assert_eq!(Bernstein::new(&coefficients, &intervals).sign(), sign);
+        }
+    }
+}

@@ -234,3 +234,56 @@ impl From<&Section> for ExactSection {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::budget::Budget;
+    use crate::algebra::interval::Intervals;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Eq. (18) is that of the evaluator that is proven.
+        #[test]
+        fn the_scaled_damping_is_that_of_the_evaluator(
+            c in prop::array::uniform6(-3.0..3.0f64),
+            angles in prop::array::uniform3(-7.0..7.0f64),
+            lever in 0.0..2.0f64,
+        ) {
+            let parameters = Parameters {
+                mass: 1.0,
+                radius_of_gyration: 0.3,
+                aerodynamic_centre_distance: lever,
+                aerodynamic_centre_angle: angles[0],
+                reference_dimension: 0.7,
+                natural_frequencies: [1.0; 3],
+                air_density: 1.0,
+                wind_angle: angles[1],
+                attitude: angles[2],
+                forces: Coefficients {
+                    drag: c[0],
+                    lift: c[1],
+                    moment: c[2],
+                    drag_slope: c[3],
+                    lift_slope: c[4],
+                    moment_slope: c[5],
+                }
+                .into(),
+                ..Parameters::default()
+            };
+            let section = Section::new(parameters).expect("a possible section");
+            let sums = TrigonometricSums::new(Budget::new(100_000));
+            let exact = ExactSection::from(&section).scaled_damping(&sums).expect("short sums");
+            let intervals = Intervals::new(100);
+            let bounds = section.scaled_damping_with_bound();
+            for (own, ball) in exact.iter().flatten().zip(bounds.iter().flatten()) {
+                let number = |value: f64| Rational::try_from(value).expect("finite");
+                for bound in intervals.bounds(&intervals.enclosure(own)) {
+                    let apart = bound - number(ball.centre.re);
+                    let radius = number(ball.radius);
+                    prop_assert!(-&radius <= apart && apart <= radius);
+                }
+            }
+        }
+    }
+}

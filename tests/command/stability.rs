@@ -348,3 +348,66 @@ fn the_validity_of_a_case_is_shown_in_every_format() {
     assert_eq!((status, out.as_str()), (Some(2), ""));
     assert!(err.contains("there is no wind"), "{err}");
 }
+
+#[test]
+fn a_verdict_is_as_exact_as_the_decimals_are_written() {
+    let section: Vec<&str> = "m=1 r=1 L_g=0 alpha_g=0 theta_0=0 omega_x=1 omega_y=1 omega_theta=1 zeta_y=0 \
+         zeta_theta=0.01 U=2 rho=1 D=1 S_xx=2 S_xy=2 S_xt=0 S_yx=-2 S_yy=-1 S_yt=0 S_tx=0 S_ty=0 S_tt=0"
+        .split_whitespace()
+        .collect();
+    for (ratio, verdict, reason) in [
+        (
+            "zeta_x=0.999999999999999999999999999999",
+            "stable",
+            "Hurwitz",
+        ),
+        ("zeta_x=1", "undecided", "exactly 0"),
+        (
+            "zeta_x=1.000000000000000000000000000001",
+            "unstable",
+            "Hurwitz",
+        ),
+    ] {
+        let section: Vec<&str> = section.iter().copied().chain([ratio]).collect();
+        let (status, out, err) = modes(&section, &["--format", "json"]);
+        assert_eq!(status, Some(0), "{err}");
+        let found: Value = serde_json::from_str(&out).expect("JSON");
+        assert_eq!(found["verdict"], verdict);
+        assert!(
+            found["reason"]
+                .as_str()
+                .is_some_and(|own| own.contains(reason)),
+            "{out}"
+        );
+        let (_, out, _) = modes(&section, &[]);
+        assert!(
+            out.contains(&format!("The section is {verdict}: ")),
+            "{out}"
+        );
+    }
+}
+
+#[test]
+fn critical_speeds_are_written_in_every_form() {
+    let case = "derivations/cases/light.toml";
+    let (status, out, err) = run(&["speeds", case, "--to", "40", "--format", "json"]);
+    assert_eq!(status, Some(0), "{err}");
+    let found: Value = serde_json::from_str(&out).expect("JSON");
+    let points = found["points"].as_array().expect("points");
+    assert_eq!(points.len(), 361);
+    let critical = &points[16]["critical"][0];
+    assert_eq!(points[16]["alpha_deg"], 8.0);
+    assert_eq!(critical["becomes"], "stable");
+    let speed = critical["speed"].as_f64().expect("a speed");
+    assert!((speed - 11.3843).abs() < 1e-4 && critical["error"].as_f64() < Some(1e-9));
+
+    let (_, out, _) = run(&["speeds", case, "--to", "40", "--format", "csv"]);
+    assert!(out.starts_with("alpha_deg,from,to,verdict\n0,0.000000000,40.000000000,unstable\n"));
+    assert!(out.contains("\n8,0.000000000,11.38"), "{out}");
+    assert!(!out.contains("undecided"));
+
+    for to in ["0", "-1", "nan", "inf", "1e9", "fast"] {
+        let (status, _, err) = run(&["speeds", case, "--to", to]);
+        assert!(status == Some(2) && err.contains("--to"), "{to}: {err}");
+    }
+}

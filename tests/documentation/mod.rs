@@ -171,6 +171,7 @@ fn the_quoted_output_is_that_of_the_command() {
         "validity",
         "evaluate",
         "stability",
+        "speeds",
     ];
     assert_eq!(commands, all);
 }

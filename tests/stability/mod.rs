@@ -3,6 +3,7 @@
 mod cases;
 mod closed_form;
 mod comparison;
+mod critical_speeds;
 mod eigenvalues;
 mod interpolation;
 mod oracle;
@@ -11,3 +12,4 @@ mod sensitivity;
 mod tracking;
 mod uniform_form;
 mod validity;
+mod verdicts;

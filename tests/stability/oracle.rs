@@ -200,6 +200,12 @@ impl Long {
         bits as isize - DIGITS as isize
     }
 
+    /// The real part, as a double.
+    pub fn real(&self) -> f64 {
+        let unit = RBig::from(IBig::ONE << DIGITS);
+        (RBig::from(self.re.clone()) / unit).to_f64().value()
+    }
+
     /// The distance from a number in doubles, to all digits of a double.
     pub fn distance(&self, re: f64, im: f64) -> f64 {
         let apart = self.minus(&Long::new(re, im));
