@@ -25,7 +25,7 @@ pub struct Arguments {
     case: PathBuf,
 
     /// The highest wind speed, in m/s
-    #[arg(long, value_name = "SPEED", default_value = "100", value_parser = speed)]
+    #[arg(long, value_name = "SPEED", default_value = "100", value_parser = speed, allow_hyphen_values = true)]
     to: f64,
 
     /// How the results are written
