@@ -40,6 +40,8 @@ pub enum Doubt {
     Neutral,
     /// A determinant is not told from 0 with so many binary digits, and too long to be known exactly.
     Digits(usize),
+    /// The coefficients of the characteristic polynomial have too many digits or terms.
+    TooLong,
 }
 
 impl Verdict {
@@ -75,6 +77,8 @@ impl fmt::Display for Verdict {
                 formatter,
                 "a Hurwitz determinant is not told from 0 by {bits} binary digits"
             ),
+            Verdict::Undecided(Doubt::TooLong) => formatter
+                .write_str("the numbers are too long for exact arithmetic: give them fewer digits"),
         }
     }
 }
@@ -102,14 +106,14 @@ pub fn verdict(section: &Section, spectrum: &Spectrum) -> Verdict {
 /// positive. Where one is exactly 0, what even and odd part have in common is looked at by itself: its
 /// roots λ² are those of the pairs ±λ.
 ///
-/// Bounded: at most 100,000 products of machine words in exact sums, and 4096 binary digits.
+/// Bounded: at most 2,100,000 products of machine words in exact sums, and 4096 binary digits.
 pub fn exact_verdict(section: &ExactSection) -> Verdict {
-    let sums = TrigonometricSums::new(Budget::new(MOST_PRODUCTS));
-    let found = polynomial_at_speed(section, &sums)
-        .map_err(|_| Doubt::Digits(0))
+    let sums = |steps: u64| TrigonometricSums::new(Budget::new(steps));
+    let found = polynomial_at_speed(section, &sums(LONGEST_POLYNOMIAL))
+        .map_err(|_| Doubt::TooLong)
         .and_then(|polynomial| {
             let pairs = section.natural_pairs();
-            signs_of_roots(&polynomial, &pairs, &sums)
+            signs_of_roots(&polynomial, &pairs, &sums(MOST_PRODUCTS))
         });
     match found {
         Ok(Roots::Left) => Verdict::Stable(Proof::Determinants),
@@ -119,7 +123,10 @@ pub fn exact_verdict(section: &ExactSection) -> Verdict {
     }
 }
 
-/// The products of machine words in exact sums; tens of milliseconds.
+/// The products of machine words for the characteristic polynomial.
+const LONGEST_POLYNOMIAL: u64 = 2_000_000;
+
+/// The products of machine words for what its parts have in common; tens of milliseconds.
 const MOST_PRODUCTS: u64 = 100_000;
 
 /// The digits of the enclosures, one after the other; common divisors are sought after the first.
