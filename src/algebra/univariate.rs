@@ -11,12 +11,13 @@ use super::arithmetic::Arithmetic;
 /// ```
 /// use sextic::algebra::arithmetic::Arithmetic;
 /// use sextic::algebra::budget::Budget;
+/// use sextic::algebra::number::Rational;
 /// use sextic::algebra::trigonometric_sum::{TrigonometricSum, TrigonometricSums};
 /// use sextic::algebra::univariate::Univariate;
 ///
 /// let numbers = TrigonometricSums::new(Budget::new(100));
 /// let polynomials = Univariate(&numbers);
-/// let number = |n: i32| TrigonometricSum::from(n.into());
+/// let number = |n: i32| TrigonometricSum::from(Rational::from(n));
 /// // (x − 1) (x + 1) = x² − 1
 /// let product = polynomials.product(&vec![number(-1), number(1)], &vec![number(1), number(1)])?;
 /// assert_eq!(product, [number(-1), number(0), number(1)]);
