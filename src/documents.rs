@@ -14,6 +14,10 @@ const SHIPPED: &[(&str, &str)] = &[
         include_str!("../derivations/uniform.md"),
     ),
     (
+        "derivations/exact-modes.md",
+        include_str!("../derivations/exact-modes.md"),
+    ),
+    (
         "derivations/extensions.md",
         include_str!("../derivations/extensions.md"),
     ),

@@ -4,8 +4,8 @@
     python3 -m venv peers && peers/bin/pip install numpy
     peers/bin/python benches/peers/eigenvalues.py
 
-The matrices have the size and the structure of those of `cargo bench --bench stability`, which runs in
-turns with NumPy; LAPACK takes them one by one from one array, in one thread.
+The matrices have the size and the structure of those of `cargo bench --bench stability` and `--bench modes`,
+which run in turns with NumPy; LAPACK takes them one by one from one array, in one thread.
 """
 
 import os
@@ -23,8 +23,14 @@ import numpy as np  # noqa: E402
 MATRICES = 3600
 RUNS = 40
 LINES = {
-    "bare eigenvalues of the state matrix": "sextic, by nalgebra's Schur decomposition",
-    "state matrix with bounds": "sextic, with certain bounds of their errors",
+    "stability": {
+        "bare eigenvalues of the state matrix": "sextic, by nalgebra's Schur decomposition",
+        "state matrix with bounds": "sextic, with certain bounds of their errors",
+    },
+    "modes": {
+        "exact modes, avx2, fused": "sextic, exact modes in batches, AVX2",
+        "exact modes, avx512, fused": "sextic, exact modes in batches, AVX-512",
+    },
 }
 
 
@@ -53,29 +59,31 @@ def numpy_times(matrices):
     return times
 
 
-def sextic_times():
-    """Best and median nanoseconds a matrix that the benchmark prints, by its lines, of the first case."""
+def sextic_times(bench):
+    """Best and median nanoseconds a matrix that a benchmark prints, by its lines, of the first case."""
     root = Path(__file__).resolve().parents[2]
-    command = ["cargo", "bench", "--bench", "stability"]
+    command = ["cargo", "bench", "--bench", bench]
     text = subprocess.run(command, cwd=root, check=True, stdout=subprocess.PIPE, text=True).stdout
     found = {}
     for line in text.splitlines():
         match = re.match(r"\s+(.*?)\s+([\d.]+) ns\s+([\d.]+) ns", line)
-        if match and match[1] in LINES:
+        if match and match[1] in LINES[bench]:
             found.setdefault(match[1], (float(match[2]), float(match[3])))
     return found
 
 
 def main():
     matrices = state_matrices()
-    before = numpy_times(matrices)
-    sextic = sextic_times()
-    times = before + numpy_times(matrices)
+    times = numpy_times(matrices)
+    found = {}
+    for bench, lines in LINES.items():
+        sextic = sextic_times(bench)
+        found.update({name: sextic[line] for line, name in lines.items() if line in sextic})
+        times += numpy_times(matrices)
     best, median = min(times), statistics.median(times)
     print(f"{'nanoseconds a matrix':<52}{'best':>10}{'median':>10}{'ratio of best':>16}{'of medians':>12}")
     print(f"{'NumPy ' + np.__version__ + ', numpy.linalg.eigvals':<52}{best:>10.0f}{median:>10.0f}")
-    for line, name in LINES.items():
-        own_best, own_median = sextic[line]
+    for name, (own_best, own_median) in found.items():
         print(f"{name:<52}{own_best:>10.0f}{own_median:>10.0f}{best / own_best:>15.1f}x{median / own_median:>11.1f}x")
 
 

@@ -14,12 +14,13 @@ use crate::stability::closed_form::{ClosedForm, Limitation, closed_form};
 use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
 use crate::stability::error::StabilityError;
 use crate::stability::exact::ExactSection;
+use crate::stability::exact_modes::ExactModes;
 use crate::stability::model::Model;
 use crate::stability::quantities::{names, needed, parameters};
 use crate::stability::section::Section;
 use crate::stability::uniform_form::uniform_form;
 use crate::stability::verdict::{Verdict, exact_verdict};
-use crate::stability::{companion, state_matrix};
+use crate::stability::{companion, exact_modes, state_matrix};
 
 use super::Outcome;
 use super::generate::{fixed, unknown};
@@ -54,6 +55,8 @@ enum Method {
     Closed,
     /// By a form that holds at every eccentricity, to second order in the damping
     Uniform,
+    /// By the roots of the characteristic polynomial about a natural frequency, which loses no digits
+    Exact,
     /// By the companion matrix of the characteristic polynomial (19)
     Companion,
     /// By the state matrix (16)
@@ -71,7 +74,7 @@ Examples:
   sextic modes --set m=3.5 --set r=0.0178 --set L_g=0.004 --set alpha_g=0.5 --set theta_0=0 \\
     --set omega_x=6 --set omega_y=5.3 --set omega_theta=5.4 \\
     --set zeta_x=0 --set zeta_y=0 --set zeta_theta=0 --set U=0
-  sextic modes … --method companion --format json | jq .eigenvalues";
+  sextic modes … --method exact --format json | jq .eigenvalues";
 
 /// Finds the modes and writes them.
 pub fn run(arguments: &Arguments) -> Outcome {
@@ -113,6 +116,13 @@ fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
             &section,
             verdict,
         ),
+        Method::Exact => {
+            let ExactModes { spectrum, fallback } =
+                exact_modes::eigenvalues(&model).map_err(refuse)?;
+            let mut found = by_spectrum("exact", &spectrum, &section, verdict);
+            found.warnings.extend(fallback.map(|own| own.to_string()));
+            found
+        }
         Method::Closed => by_form("closed", closed_form(&section), &model, verdict)?,
         Method::Uniform => by_form("uniform", uniform_form(&model), &model, verdict)?,
         Method::State => by_spectrum(

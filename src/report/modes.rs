@@ -7,7 +7,7 @@ use crate::stability::verdict::Verdict;
 /// What a method says of a section.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModesFound {
-    /// The method: `closed`, `uniform`, `companion`, `state`.
+    /// The method: `closed`, `uniform`, `exact`, `companion`, `state`.
     pub method: &'static str,
     /// λ in 1/s, one of each pair of conjugates, with a bound of its error if the method gives one.
     pub eigenvalues: Vec<(Complex<f64>, Option<f64>)>,

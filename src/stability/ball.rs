@@ -48,6 +48,14 @@ impl Ball {
         }
     }
 
+    /// i times what it holds.
+    pub fn turned(self) -> Self {
+        Ball {
+            centre: Complex::new(-self.centre.im, self.centre.re),
+            ..self
+        }
+    }
+
     /// No number of the ball is larger.
     pub fn largest(self) -> f64 {
         (self.centre.norm() + self.radius) * ABOVE

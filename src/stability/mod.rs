@@ -17,6 +17,7 @@ pub mod eigenvalue;
 mod enclosure;
 pub mod error;
 pub mod exact;
+pub mod exact_modes;
 pub mod forces;
 pub mod grid;
 mod hurwitz;

@@ -26,6 +26,8 @@ pub struct Model {
     section: Section,
     /// A power of 2 near the largest natural frequency, in rad/s.
     pub(super) frequency_unit: f64,
+    /// iω of the free coordinates, scaled.
+    frequencies: [Ball; 3],
     pub(super) mass: Matrix,
     structural_damping: Matrix,
     aerodynamic_damping: Matrix,
@@ -47,7 +49,7 @@ impl Model {
         let largest = free.map(|i| p.natural_frequencies[i]).fold(0.0, f64::max);
         let unit = largest.log2().floor().exp2();
         let [omega_x, omega_y, omega_theta] =
-            p.natural_frequencies.map(|omega| rounded(omega / unit));
+            p.natural_frequencies.map(|omega| rescaled(omega / unit));
         let omega = [omega_x, omega_y, omega_theta];
         let e = rounded(section.eccentricity());
         let angle = p.mass_centre_angle + p.attitude;
@@ -87,6 +89,10 @@ impl Model {
         let model = Model {
             section: *section,
             frequency_unit: unit,
+            frequencies: std::array::from_fn(|place| {
+                let own = section.free().get(place);
+                own.map_or(Ball::ZERO, |own| omega[own.index()].turned())
+            }),
             mass: matrix(&|i, j| mass[i][j]),
             structural_damping: matrix(&|i, j| diagonal(i, j, two * omega[i] * ratio(i))),
             aerodynamic_damping: matrix(&|i, j| delta * s_a[i][j]),
@@ -210,7 +216,14 @@ impl Model {
             let (m, k) = (self.mass[i][j], self.stiffness[i][j]);
             let damping = self.structural_damping[i][j] + self.aerodynamic_damping[i][j];
             let once = c * m + damping;
-            [c * once + k, c * m + once, m]
+            let constant = if i == j {
+                // Near an eigenvalue this loses nothing, but c² + ω² nearly all.
+                let natural = self.frequencies[i];
+                (c + -natural) * (c + natural) + c * damping
+            } else {
+                c * once + k
+            };
+            [constant, c * m + once, m]
         };
         std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
     }
@@ -223,7 +236,7 @@ impl Model {
     /// 2ω, by which a damping ratio enters the scaled damping of its coordinate.
     pub(super) fn structural_damping_rate(&self, coordinate: Coordinate) -> Ball {
         let omega = self.section.parameters().natural_frequencies[coordinate.index()];
-        Ball::real(2.0, 0.0) * rounded(omega / self.frequency_unit)
+        Ball::real(2.0, 0.0) * rescaled(omega / self.frequency_unit)
     }
 
     /// The length that turns coordinate `index` of the free ones into a length: r for θ, else 1.
@@ -248,6 +261,16 @@ impl Model {
             matrix[i][j].centre.re
         })
     }
+}
+
+/// A number over a power of two, which rounds nothing but what becomes subnormal.
+fn rescaled(value: f64) -> Ball {
+    let error = if value.is_normal() {
+        0.0
+    } else {
+        f64::MIN_POSITIVE
+    };
+    Ball::real(value, error)
 }
 
 /// A number that is rounded, or a sine: right to a unit in the last place.

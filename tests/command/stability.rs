@@ -153,7 +153,7 @@ fn modes(section: &[&str], more: &[&str]) -> (Option<i32>, String, String) {
 fn all_methods_find_the_modes_without_wind() {
     let e = 0.004 / 0.0178_f64;
     let exact = [6.0 / (1.0 - e).sqrt(), 6.0, 6.0 / (1.0 + e).sqrt()];
-    for method in ["closed", "uniform", "companion", "state"] {
+    for method in ["closed", "uniform", "exact", "companion", "state"] {
         let (status, out, err) = modes(&SECTION, &["--method", method, "--format", "json"]);
         assert_eq!((status, err.as_str()), (Some(0), ""), "{method}");
         let json: Value = serde_json::from_str(&out).expect("JSON");
@@ -225,7 +225,7 @@ fn the_scaled_damping_matrix_stands_for_coefficients() {
         "S_yt=0",
         "S_tt=0",
     ];
-    for method in ["closed", "uniform", "companion", "state"] {
+    for method in ["closed", "uniform", "exact", "companion", "state"] {
         let of = |forces: &[&str]| -> Value {
             let section: Vec<&str> = section.iter().chain(forces).copied().collect();
             let (status, out, err) = modes(&section, &["--method", method, "--format", "json"]);

@@ -3,6 +3,7 @@
 use sextic::stability::companion;
 use sextic::stability::eigenvalue::{Eigenvalue, Spectrum};
 use sextic::stability::error::StabilityError;
+use sextic::stability::exact_modes;
 use sextic::stability::model::Model;
 use sextic::stability::section::{Parameters, Section};
 use sextic::stability::state_matrix;
@@ -61,6 +62,13 @@ fn eigenvalues_of_the_state_matrix_are_as_exact_as_they_say() {
 #[test]
 fn roots_of_the_characteristic_polynomial_are_as_exact_as_they_say() {
     is_as_exact_as_it_says(2, 50, companion::eigenvalues);
+}
+
+#[test]
+fn exact_modes_are_as_exact_as_they_say() {
+    is_as_exact_as_it_says(4, 50, |model| {
+        exact_modes::eigenvalues(model).map(|modes| modes.spectrum)
+    });
 }
 
 #[test]

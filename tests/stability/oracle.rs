@@ -1,7 +1,7 @@
 //! Eigenvalues in exact and long arithmetic: the characteristic polynomial over the rationals, its
 //! roots by Aberth's iteration with 600 binary digits. Shares nothing with the code under test.
 
-use dashu_base::{Abs, BitTest, EstimatedLog2};
+use dashu_base::{Abs, BitTest};
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 use sextic::stability::forces::Forces;
@@ -78,8 +78,9 @@ pub fn characteristic_polynomial(p: &Parameters) -> Coefficients {
     let (s_a, c_a) = (&s * &c_b + &c * &s_b, &c * &c_b - &s * &s_b);
     let epsilon = exact(p.aerodynamic_centre_distance) / &r;
     let kappa = &d / &r;
-    let Forces::Coefficients(f) = &p.forces else {
-        panic!("the oracle takes coefficients");
+    let (f, matrix) = match p.forces {
+        Forces::Coefficients(f) => (f, None),
+        Forces::ScaledDamping(matrix) => (Default::default(), Some(matrix)),
     };
     let [cd, cl, cm, dd, dl, dm] = [
         f.drag,
@@ -101,6 +102,9 @@ pub fn characteristic_polynomial(p: &Parameters) -> Coefficients {
         [&epsilon * &s_a, &epsilon * &c_a],
     ];
     let damping = |i: usize, j: usize| -> RBig {
+        if let Some(matrix) = matrix {
+            return exact(matrix[i][j]);
+        }
         let [v, w] = &velocity[j];
         let (drag, lift) = (
             &along[0] * v + &along[1] * w,
@@ -210,21 +214,54 @@ impl Long {
     pub fn distance(&self, re: f64, im: f64) -> f64 {
         let apart = self.minus(&Long::new(re, im));
         let size = &apart.re * &apart.re + &apart.im * &apart.im;
-        if size == IBig::ZERO {
-            return 0.0;
-        }
-        let log: f64 = size.log2_bounds().1.into();
-        ((log / 2.0) - DIGITS as f64).exp2()
+        double(&size, 2 * DIGITS as i32).sqrt()
     }
+
+    /// The distance of the real part from a number in doubles.
+    pub fn real_distance(&self, re: f64) -> f64 {
+        double(&(&self.re - Long::new(re, 0.0).re), DIGITS as i32).abs()
+    }
+
+    /// The imaginary part, to all digits of a double.
+    pub fn imaginary_part(&self) -> f64 {
+        double(&self.im, DIGITS as i32)
+    }
+}
+
+/// A whole number over a power of two.
+fn double(number: &IBig, power: i32) -> f64 {
+    // A double takes the leading digits of any number, but no more than 1023 of them.
+    let bits = number.clone().abs().bit_len() as i32;
+    let shift = (bits - 200).max(0);
+    let leading = (number >> shift as usize).to_f64().value();
+    // In two steps, neither of which underflows.
+    let scale = |digits: i32| f64::from(digits).exp2();
+    let half = (shift - power) / 2;
+    leading * scale(half) * scale(shift - power - half)
 }
 
 /// All roots of a polynomial, multiple ones as often, to 90 binary digits.
 pub fn roots(polynomial: &[RBig]) -> Vec<Long> {
     let degree = polynomial.len() - 1;
-    let monic: Vec<Long> = polynomial
-        .iter()
-        .map(|own| Long::rational(&(own / &polynomial[degree])))
-        .collect();
+    let monic = monic(polynomial);
+    // Within the bound of Fujiwara, at angles that no symmetry shares.
+    let bound = (0..degree)
+        .map(|power| monic[power].magnitude() as f64 / (degree - power) as f64)
+        .fold(f64::NEG_INFINITY, f64::max)
+        .exp2();
+    let start = |k: usize| {
+        let angle = 0.4 + std::f64::consts::TAU * k as f64 / degree as f64;
+        (bound * angle.cos(), bound * angle.sin())
+    };
+    let start: Vec<(f64, f64)> = (0..degree).map(start).collect();
+    roots_near(polynomial, &start).expect("the oracle converges")
+}
+
+/// All roots of a polynomial, sought from as many points; `None` if that takes too many steps.
+pub fn roots_near(polynomial: &[RBig], start: &[(f64, f64)]) -> Option<Vec<Long>> {
+    let degree = polynomial.len() - 1;
+    assert_eq!(start.len(), degree);
+    let monic = monic(polynomial);
     let slope: Vec<Long> = (1..=degree)
         .map(|power| monic[power].times(&Long::new(power as f64, 0.0)))
         .collect();
@@ -235,17 +272,7 @@ pub fn roots(polynomial: &[RBig]) -> Vec<Long> {
             .rev()
             .fold(zero, |sum, term| sum.times(at).plus(term))
     };
-    // Within the bound of Fujiwara, at angles that no symmetry shares.
-    let bound = (0..degree)
-        .map(|power| monic[power].magnitude() as f64 / (degree - power) as f64)
-        .fold(f64::NEG_INFINITY, f64::max)
-        .exp2();
-    let mut roots: Vec<Long> = (0..degree)
-        .map(|k| {
-            let angle = 0.4 + std::f64::consts::TAU * k as f64 / degree as f64;
-            Long::new(bound * angle.cos(), bound * angle.sin())
-        })
-        .collect();
+    let mut roots: Vec<Long> = start.iter().map(|&(re, im)| Long::new(re, im)).collect();
     for _ in 0..1500 {
         let mut largest = isize::MIN;
         for i in 0..degree {
@@ -268,8 +295,14 @@ pub fn roots(polynomial: &[RBig]) -> Vec<Long> {
             largest = largest.max(step.magnitude());
         }
         if largest < -90 {
-            return roots;
+            return Some(roots);
         }
     }
-    panic!("the oracle did not converge: {polynomial:?}");
+    None
+}
+
+fn monic(polynomial: &[RBig]) -> Vec<Long> {
+    let leading = &polynomial[polynomial.len() - 1];
+    let over_leading = |own: &RBig| Long::rational(&(own / leading));
+    polynomial.iter().map(over_leading).collect()
 }

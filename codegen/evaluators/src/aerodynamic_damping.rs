@@ -190,7 +190,7 @@ pub struct AerodynamicDampingSlicesMut<'a> {
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-fn aerodynamic_damping_body<T: Arithmetic>(
+pub(super) fn aerodynamic_damping_body<T: Arithmetic>(
     inputs: &AerodynamicDampingInputs<T>,
 ) -> AerodynamicDampingOutputs<T> {
     let r = inputs.r;

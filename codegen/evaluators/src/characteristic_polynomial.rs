@@ -265,7 +265,7 @@ pub struct CharacteristicPolynomialSlicesMut<'a> {
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-fn characteristic_polynomial_body<T: Arithmetic>(
+pub(super) fn characteristic_polynomial_body<T: Arithmetic>(
     inputs: &CharacteristicPolynomialInputs<T>,
 ) -> CharacteristicPolynomialOutputs<T> {
     let m = inputs.m;

@@ -253,7 +253,7 @@ pub struct CharacteristicPolynomialAlongXSlicesMut<'a> {
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-fn characteristic_polynomial_along_x_body<T: Arithmetic>(
+pub(super) fn characteristic_polynomial_along_x_body<T: Arithmetic>(
     inputs: &CharacteristicPolynomialAlongXInputs<T>,
 ) -> CharacteristicPolynomialAlongXOutputs<T> {
     let m = inputs.m;

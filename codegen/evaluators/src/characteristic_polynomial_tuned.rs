@@ -252,7 +252,7 @@ pub struct CharacteristicPolynomialTunedSlicesMut<'a> {
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-fn characteristic_polynomial_tuned_body<T: Arithmetic>(
+pub(super) fn characteristic_polynomial_tuned_body<T: Arithmetic>(
     inputs: &CharacteristicPolynomialTunedInputs<T>,
 ) -> CharacteristicPolynomialTunedOutputs<T> {
     let m = inputs.m;

@@ -245,7 +245,7 @@ pub struct CharacteristicPolynomialUndampedSlicesMut<'a> {
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-fn characteristic_polynomial_undamped_body<T: Arithmetic>(
+pub(super) fn characteristic_polynomial_undamped_body<T: Arithmetic>(
     inputs: &CharacteristicPolynomialUndampedInputs<T>,
 ) -> CharacteristicPolynomialUndampedOutputs<T> {
     let m = inputs.m;

@@ -189,7 +189,7 @@ pub struct ClosedFormSlicesMut<'a> {
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-fn closed_form_body<T: Arithmetic>(
+pub(super) fn closed_form_body<T: Arithmetic>(
     inputs: &ClosedFormInputs<T>,
 ) -> ClosedFormOutputs<T> {
     let m = inputs.m;

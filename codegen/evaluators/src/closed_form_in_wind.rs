@@ -210,7 +210,7 @@ pub struct ClosedFormInWindSlicesMut<'a> {
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-fn closed_form_in_wind_body<T: Arithmetic>(
+pub(super) fn closed_form_in_wind_body<T: Arithmetic>(
     inputs: &ClosedFormInWindInputs<T>,
 ) -> ClosedFormInWindOutputs<T> {
     let m = inputs.m;

@@ -86,7 +86,7 @@ pub struct HurwitzDeterminantsSlicesMut<'a> {
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-fn hurwitz_determinants_body<T: Arithmetic>(
+pub(super) fn hurwitz_determinants_body<T: Arithmetic>(
     inputs: &HurwitzDeterminantsInputs<T>,
 ) -> HurwitzDeterminantsOutputs<T> {
     let c_0 = inputs.c_0;

@@ -15,7 +15,7 @@ const LINE: usize = 8;
 /// Explicit arrays and loops of a fixed length: a compiler turns them into vector instructions more
 /// reliably than a loop over points.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lanes<const N: usize, const FUSED: bool>([f64; N]);
+pub struct Lanes<const N: usize, const FUSED: bool>(pub(super) [f64; N]);
 
 impl<const N: usize, const FUSED: bool> Lanes<N, FUSED> {
     /// Takes `N` values.

@@ -10,15 +10,19 @@
 //! - Damping in modal coordinates, and the frequencies, for perfect tuning, from the physical parameters: [`modal_damping_in_wind::modal_damping_in_wind`]
 //! - Damping in modal coordinates, and the frequencies, for perfect tuning, from the scaled damping matrix: [`modal_damping::modal_damping`]
 //! - Squares of the circular frequencies, and mode shapes, without wind and for perfect tuning, Eq. (15): [`no_wind_modes::no_wind_modes`]
+//! - The characteristic polynomial at iω_0 + iν, real and imaginary part, without its coefficients: [`shifted_determinant::shifted_determinant`]
+//! - The coefficients of the characteristic polynomial about iω_0, real and imaginary parts, and those by powers of the frequency: [`shifted_polynomial::shifted_polynomial`]
 //! - The coefficients of the characteristic polynomial for perfect tuning, that of λ⁰ first, Eq. (19): [`characteristic_polynomial_tuned::characteristic_polynomial_tuned`]
 //! - The coefficients of the characteristic polynomial for wind along x, that of λ⁰ first, Eq. (19): [`characteristic_polynomial_along_x::characteristic_polynomial_along_x`]
 //! - The coefficients of the characteristic polynomial without structural damping, that of λ⁰ first, Eq. (19): [`characteristic_polynomial_undamped::characteristic_polynomial_undamped`]
 //! - The coefficients of the characteristic polynomial, that of λ⁰ first, Eq. (19): [`characteristic_polynomial::characteristic_polynomial`]
 //! - The coefficients of μ², μ and 1 of the characteristic cubic, real and imaginary parts, to first order in the damping; iν_2 + μ are the eigenvalues: [`uniform_cubic_1::uniform_cubic_1`]
 //! - The coefficients of μ², μ and 1 of the characteristic cubic, real and imaginary parts, to second order in the damping; iν_2 + μ are the eigenvalues: [`uniform_cubic::uniform_cubic`]
+//! - The eccentricity, and the damping over mass by the wind and by the structure: [`scaled_entries::scaled_entries`]
 //! - The real parts of the eigenvalues of the three modes (one above 0 gallops), to first order in the damping, without structural damping, for perfect tuning, and if the eccentricity separates the modes by more than they are damped; from the physical parameters, Eqs. (21), (22), (23): [`closed_form_in_wind::closed_form_in_wind`]
 //! - The real parts of the eigenvalues of the three modes (one above 0 gallops), to first order in the damping, without structural damping, for perfect tuning, and if the eccentricity separates the modes by more than they are damped; from the scaled damping matrix, Eqs. (21), (22), (23): [`closed_form::closed_form`]
 //! - The scaled aerodynamic damping matrix, Eq. (18): [`aerodynamic_damping::aerodynamic_damping`]
+//! - The three modes of a section, with a rigorous radius each, by an iteration: [`exact_modes::exact_modes`], and of many: [`exact_modes_batch::exact_modes_batch`]
 //! - What the matching leaves of the coefficients of λ⁴, λ³ and λ², Eq. (20): [`matching_residuals::matching_residuals`]
 #![cfg_attr(not(feature = "std"), no_std)]
 #![deny(unsafe_code)]
@@ -26,8 +30,14 @@
 
 pub mod arithmetic;
 pub mod bounded;
+pub mod comparison;
+pub mod complex;
 pub mod dispatch;
+pub mod exact_modes;
+pub mod exact_modes_batch;
 pub mod lanes;
+pub mod reference;
+pub mod starting_values;
 
 #[rustfmt::skip]
 pub mod aerodynamic_damping;
@@ -53,6 +63,12 @@ pub mod modal_damping;
 pub mod modal_damping_in_wind;
 #[rustfmt::skip]
 pub mod no_wind_modes;
+#[rustfmt::skip]
+pub mod scaled_entries;
+#[rustfmt::skip]
+pub mod shifted_determinant;
+#[rustfmt::skip]
+pub mod shifted_polynomial;
 #[rustfmt::skip]
 pub mod uniform_cubic;
 #[rustfmt::skip]

@@ -193,7 +193,7 @@ pub struct MatchingResidualsSlicesMut<'a> {
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-fn matching_residuals_body<T: Arithmetic>(
+pub(super) fn matching_residuals_body<T: Arithmetic>(
     inputs: &MatchingResidualsInputs<T>,
 ) -> MatchingResidualsOutputs<T> {
     let m = inputs.m;

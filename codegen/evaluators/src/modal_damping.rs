@@ -251,7 +251,7 @@ pub struct ModalDampingSlicesMut<'a> {
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-fn modal_damping_body<T: Arithmetic>(
+pub(super) fn modal_damping_body<T: Arithmetic>(
     inputs: &ModalDampingInputs<T>,
 ) -> ModalDampingOutputs<T> {
     let m = inputs.m;

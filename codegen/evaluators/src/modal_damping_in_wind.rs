@@ -272,7 +272,7 @@ pub struct ModalDampingInWindSlicesMut<'a> {
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-fn modal_damping_in_wind_body<T: Arithmetic>(
+pub(super) fn modal_damping_in_wind_body<T: Arithmetic>(
     inputs: &ModalDampingInWindInputs<T>,
 ) -> ModalDampingInWindOutputs<T> {
     let m = inputs.m;

@@ -139,7 +139,7 @@ pub struct NoWindModesSlicesMut<'a> {
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-fn no_wind_modes_body<T: Arithmetic>(
+pub(super) fn no_wind_modes_body<T: Arithmetic>(
     inputs: &NoWindModesInputs<T>,
 ) -> NoWindModesOutputs<T> {
     let r = inputs.r;

@@ -111,7 +111,7 @@ pub struct UniformCubicSlicesMut<'a> {
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-fn uniform_cubic_body<T: Arithmetic>(
+pub(super) fn uniform_cubic_body<T: Arithmetic>(
     inputs: &UniformCubicInputs<T>,
 ) -> UniformCubicOutputs<T> {
     let nu_2 = inputs.nu_2;

@@ -107,7 +107,7 @@ pub struct UniformCubic1SlicesMut<'a> {
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-fn uniform_cubic_1_body<T: Arithmetic>(
+pub(super) fn uniform_cubic_1_body<T: Arithmetic>(
     inputs: &UniformCubic1Inputs<T>,
 ) -> UniformCubic1Outputs<T> {
     let B_11 = inputs.B_11;

@@ -26,6 +26,38 @@ const SUPPORT: [(&str, &str); 4] = [
     ("lanes", include_str!("../../templates/rust/lanes.rs")),
 ];
 
+/// The iteration that finds exact modes: it builds on the evaluators [`ITERATED`], and is written beside them.
+const EXACT_MODES: [(&str, &str); 6] = [
+    (
+        "comparison",
+        include_str!("../../templates/rust/comparison.rs"),
+    ),
+    ("complex", include_str!("../../templates/rust/complex.rs")),
+    (
+        "exact_modes",
+        include_str!("../../templates/rust/exact_modes.rs"),
+    ),
+    (
+        "exact_modes_batch",
+        include_str!("../../templates/rust/exact_modes_batch.rs"),
+    ),
+    (
+        "reference",
+        include_str!("../../templates/rust/reference.rs"),
+    ),
+    (
+        "starting_values",
+        include_str!("../../templates/rust/starting_values.rs"),
+    ),
+];
+
+/// What [`EXACT_MODES`] iterates, with nothing fixed.
+const ITERATED: [&str; 3] = [
+    "scaled_entries",
+    "shifted_determinant",
+    "shifted_polynomial",
+];
+
 /// Keywords of all editions, and what a name in a pattern would be taken for.
 const RESERVED: [&str; 59] = [
     "Err", "None", "Ok", "Self", "Some", "abstract", "as", "async", "await", "become", "box",
@@ -37,14 +69,20 @@ const RESERVED: [&str; 59] = [
 ];
 
 /// Names that a module must not have.
-const MODULES: [&str; 8] = [
+const MODULES: [&str; 14] = [
     "alloc",
     "arithmetic",
     "bounded",
+    "comparison",
+    "complex",
     "core",
     "dispatch",
+    "exact_modes",
+    "exact_modes_batch",
     "lanes",
     "lib",
+    "reference",
+    "starting_values",
     "std",
 ];
 
@@ -181,6 +219,12 @@ pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
         list.push(format!(" - {title}: [`{function}::{function}`]"));
         modules.push(function.clone());
     }
+    let mut support = SUPPORT.to_vec();
+    if are_iterated(evaluators) {
+        support.extend(EXACT_MODES);
+        support.sort_unstable();
+        list.push(" - The three modes of a section, with a rigorous radius each, by an iteration: [`exact_modes::exact_modes`], and of many: [`exact_modes_batch::exact_modes_batch`]".to_owned());
+    }
     modules.sort();
     list.sort();
     if !list.is_empty() {
@@ -189,18 +233,29 @@ pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
     let library = Library {
         commands: commands(evaluators),
         list,
-        support: SUPPORT.iter().map(|(name, _)| *name).collect(),
+        support: support.iter().map(|(name, _)| *name).collect(),
         modules,
     };
     files.push(File {
         path: "lib.rs".to_owned(),
         text: render(LIBRARY, &library)?,
     });
-    files.extend(SUPPORT.iter().map(|(name, text)| File {
+    files.extend(support.iter().map(|(name, text)| File {
         path: format!("{name}.rs"),
         text: (*text).to_owned(),
     }));
     Ok(files)
+}
+
+/// Whether all evaluators are there that the iteration builds on, each as a function of all of its inputs.
+fn are_iterated(evaluators: &[Evaluator]) -> bool {
+    ITERATED.iter().all(|name| {
+        let is_whole = |own: &&Evaluator| own.inputs.iter().all(|input| input.fixed().is_none());
+        evaluators
+            .iter()
+            .filter(is_whole)
+            .any(|own| own.name == *name)
+    })
 }
 
 fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {

@@ -1,0 +1,116 @@
+//! Exact modes: the roots of the characteristic polynomial without an eigenvalue routine.
+
+use std::fmt;
+use std::iter::once;
+
+use num_complex::Complex;
+use sextic_evaluators::exact_modes::exact_modes;
+use sextic_evaluators::scaled_entries::{ScaledEntriesAngles, ScaledEntriesInputs};
+
+use super::ball::Ball;
+use super::eigenvalue::{Spectrum, best_spectrum};
+use super::enclosure::error_bounds;
+use super::error::StabilityError;
+use super::model::Model;
+use super::section::Section;
+use super::state_matrix;
+
+/// The eigenvalues of a section, and how they were found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExactModes {
+    /// The eigenvalues with bounds of their errors.
+    pub spectrum: Spectrum,
+    /// Why they are those of the state matrix; `None` where they are those of the iteration.
+    pub fallback: Option<Fallback>,
+}
+
+/// Why the state matrix stands in for the iteration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fallback {
+    /// A coordinate is held: the polynomial is not of degree 6.
+    Held,
+    /// The iteration gave no radius.
+    NoRadius,
+}
+
+impl fmt::Display for Fallback {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Fallback::Held => "a coordinate is held: these are the eigenvalues of the state matrix",
+            Fallback::NoRadius => {
+                "the polynomial gave no roots of certain accuracy (modes that coincide, do not oscillate, or are beyond all scales): these are the eigenvalues of the state matrix"
+            }
+        })
+    }
+}
+
+/// The six eigenvalues as roots of |λ²M + λ(C_s + C_a) + K|, expanded about iω_0 symbolically.
+///
+/// No coefficient is a difference of nearly equal numbers (`derivations/exact-modes.md`), so that real parts
+/// are as exact as the damping is given, however small it is beside the frequencies, and with any detuning.
+/// The errors are bounded as those of the [state matrix](state_matrix::eigenvalues) are: they count the
+/// rounding of sines, cosines and the scaled damping matrix.
+///
+/// About 1,600 operations and three Taylor expansions; a shape of a mode is given by
+/// [`Mode::new`](super::tracking::Mode::new).
+///
+/// # Errors
+///
+/// Those of the [state matrix](state_matrix::eigenvalues), which stands in where a coordinate is held or the
+/// iteration has no radius; that is told as [`Fallback`].
+pub fn eigenvalues(model: &Model) -> Result<ExactModes, StabilityError> {
+    let (fallback, spectrum) = match iterated(model) {
+        Ok(spectrum) => (None, spectrum),
+        Err(fallback) => (Some(fallback), state_matrix::eigenvalues(model)?),
+    };
+    Ok(ExactModes { spectrum, fallback })
+}
+
+fn iterated(model: &Model) -> Result<Spectrum, Fallback> {
+    if !model.section().parameters().free.are_all() {
+        return Err(Fallback::Held);
+    }
+    let modes = exact_modes(&inputs(model.section()));
+    if !modes.radius.iter().all(|radius| radius.is_finite()) {
+        return Err(Fallback::NoRadius);
+    }
+    let unit = model.frequency_unit;
+    let value = |place: usize| Complex::new(modes.real[place], modes.frequency[place]) / unit;
+    let [a, b, c] = [0, 1, 2].map(value);
+    let values = vec![a, b, c, a.conj(), b.conj(), c.conj()];
+    let bounds = |values: &[_]| error_bounds(values, |point| model.taylor(Ball::exact(point)));
+    best_spectrum(once(values), bounds, unit).map_err(|_| Fallback::NoRadius)
+}
+
+#[allow(non_snake_case)]
+fn inputs(section: &Section) -> ScaledEntriesInputs<f64> {
+    let p = section.parameters();
+    let [[S_xx, S_xy, S_xt], [S_yx, S_yy, S_yt], [S_tx, S_ty, S_tt]] = section.scaled_damping();
+    let [omega_x, omega_y, omega_theta] = p.natural_frequencies;
+    let [zeta_x, zeta_y, zeta_theta] = p.damping_ratios;
+    ScaledEntriesInputs::from(&ScaledEntriesAngles {
+        m: p.mass,
+        r: p.radius_of_gyration,
+        L_g: p.mass_centre_distance,
+        alpha_g: p.mass_centre_angle,
+        theta_0: p.attitude,
+        omega_x,
+        omega_y,
+        omega_theta,
+        zeta_x,
+        zeta_y,
+        zeta_theta,
+        rho: p.air_density,
+        D: p.reference_dimension,
+        U: p.wind_speed,
+        S_xx,
+        S_xy,
+        S_yx,
+        S_yy,
+        S_xt,
+        S_yt,
+        S_tx,
+        S_ty,
+        S_tt,
+    })
+}
