@@ -18,7 +18,7 @@ use sextic::stability::closed_form::closed_form;
 use sextic::stability::coefficient_table::CoefficientTable;
 use sextic::stability::comparison::compare as compare_methods;
 use sextic::stability::critical_speed::speeds;
-use sextic::stability::exact::ExactSection;
+use sextic::stability::exact_section::ExactSection;
 use sextic::stability::grid::{Grid, Methods, Rows};
 use sextic::stability::interpolation::CoefficientCurves;
 use sextic::stability::model::Model;

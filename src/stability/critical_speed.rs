@@ -13,7 +13,7 @@ use super::bernstein::Bernstein;
 use super::case::Case;
 use super::coefficient_table::CoefficientTable;
 use super::comparison::section_at;
-use super::exact::{ExactSection, InSpeed};
+use super::exact_section::{ExactSection, InSpeed};
 use super::hurwitz::hurwitz_determinants;
 use super::input::InputError;
 use super::interpolation::CoefficientCurves;

@@ -9,7 +9,7 @@ use crate::algebra::trigonometric_sum::{TrigonometricSum as Sum, TrigonometricSu
 use crate::algebra::univariate::Univariate;
 
 use super::eigenvalue::Spectrum;
-use super::exact::ExactSection;
+use super::exact_section::ExactSection;
 use super::hurwitz::hurwitz_determinants;
 use super::section::Section;
 

@@ -2,7 +2,7 @@
 
 use sextic::stability::coordinate::{Coordinate, FreeCoordinates};
 use sextic::stability::critical_speed::{Stability, speeds};
-use sextic::stability::exact::ExactSection;
+use sextic::stability::exact_section::ExactSection;
 use sextic::stability::model::Model;
 use sextic::stability::section::{Coefficients, Parameters, Section};
 use sextic::stability::state_matrix;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use sextic::algebra::number::Rational;
 use sextic::compile::fixed::Fixed;
-use sextic::stability::exact::ExactSection;
+use sextic::stability::exact_section::ExactSection;
 use sextic::stability::model::Model;
 use sextic::stability::quantities::parameters;
 use sextic::stability::section::Section;

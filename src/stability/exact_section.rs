@@ -19,7 +19,7 @@ use super::section::{Coefficients, Parameters, Section};
 ///
 /// ```
 /// use sextic::algebra::number::Rational;
-/// use sextic::stability::exact::ExactSection;
+/// use sextic::stability::exact_section::ExactSection;
 /// use sextic::stability::section::Parameters;
 ///
 /// let tenth = Rational::from(1) / Rational::from(10);
