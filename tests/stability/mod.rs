@@ -5,6 +5,7 @@ mod closed_form;
 mod comparison;
 mod critical_speeds;
 mod eigenvalues;
+mod error_table;
 mod exact_modes;
 mod interpolation;
 mod oracle;

@@ -222,6 +222,11 @@ impl Long {
         double(&(&self.re - Long::new(re, 0.0).re), DIGITS as i32).abs()
     }
 
+    /// The real part, to all digits of a double.
+    pub fn real_part(&self) -> f64 {
+        double(&self.re, DIGITS as i32)
+    }
+
     /// The imaginary part, to all digits of a double.
     pub fn imaginary_part(&self) -> f64 {
         double(&self.im, DIGITS as i32)
