@@ -32,7 +32,7 @@
 //!    is at most B_k + 5.2|W̃_k|₁V/d, and Π|ν̂_k − z_j|/|ν̂_k − ẑ_j| < 1.02.
 //! 6. Smith: the discs about ẑ_k with radii 6|Q(ẑ_k)|/|a_6Π_{j≠k}(ẑ_k − ẑ_j)| hold all roots, and one that is
 //!    apart from the others holds just one. So r_k = 6.25(B_k + 5.2|W̃_k|₁V/d); r_k < d/4 is required.
-//! 7. Range: what [`Reference`] asks of the quantities, |ν_k| < 10⁶, Re ω_k > 10⁻⁴ and d > 10⁻¹⁷ keep every
+//! 7. Range: what `Reference` asks of the quantities, |ν_k| < 10⁶, Re ω_k > 10⁻⁴ and d > 10⁻¹⁷ keep every
 //!    product that is divided by normal; what others lose by underflow is in F.
 
 use super::comparison::Comparison;
