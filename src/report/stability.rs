@@ -3,7 +3,7 @@
 use crate::stability::comparison::{
     Agreement, Comparison, FollowedMode, Point, Reason, Value, angle, listed,
 };
-use crate::stability::verdict::{Doubt, Verdict};
+use crate::stability::verdict::Verdict;
 
 /// The most decimals of a damping coefficient; the sines of another machine may change later ones.
 const MOST_DECIMALS: usize = 9;
@@ -77,18 +77,16 @@ pub fn conclusion(comparison: &Comparison) -> String {
     let undecided = match comparison.undecided.as_slice() {
         [] => String::new(),
         ranges => {
-            let mut doubts = comparison
-                .points
-                .iter()
-                .filter_map(|point| match point.verdict {
-                    Verdict::Undecided(doubt) => Some(doubt),
-                    _ => None,
-                });
-            let reason = match doubts.all(|own| own == Doubt::Neutral) {
-                true => "a motion neither growing nor dying out, exactly",
-                false => "a Hurwitz determinant not being told from 0",
-            };
-            format!("; not decided, {reason}: {}", listed(ranges))
+            let verdicts = comparison.points.iter().map(|point| point.verdict);
+            let mut reasons: Vec<String> = Vec::new();
+            for verdict in verdicts.filter(|own| matches!(own, Verdict::Undecided(_))) {
+                let reason = verdict.to_string();
+                if !reasons.contains(&reason) {
+                    reasons.push(reason);
+                }
+            }
+            let reasons = reasons.join("; or ");
+            format!("; not decided at {}, because {reasons}", listed(ranges))
         }
     };
     match (comparison.unstable.len(), comparison.undecided.len()) {

@@ -11,6 +11,9 @@ const ROUNDING: f64 = 2.0 * f64::EPSILON;
 /// More than what is lost when the radius itself is computed.
 const ABOVE: f64 = 1.0 + 16.0 * f64::EPSILON;
 
+/// More than an absolute value loses where squares underflow: √(2·2⁻¹⁰²²) = 2.1e-154.
+const UNDERFLOW: f64 = 3e-154;
+
 /// All complex numbers within `radius` of `centre`.
 ///
 /// A sum or product holds all sums or products of what its operands hold. The radius is infinite
@@ -58,7 +61,7 @@ impl Ball {
 
     /// No number of the ball is larger.
     pub fn largest(self) -> f64 {
-        (self.centre.norm() + self.radius) * ABOVE
+        (self.centre.norm_sqr().sqrt() + UNDERFLOW + self.radius) * ABOVE
     }
 
     /// No number of the ball is smaller; 0 if it may hold 0.

@@ -29,7 +29,7 @@ use super::schur::approximate_eigenvalues;
 /// [`StabilityError::NoEigenvalues`] if nothing converged or no error could be bounded.
 pub fn eigenvalues(model: &Model) -> Result<Spectrum, StabilityError> {
     let coefficients = coefficients(model);
-    let matrix = companion_matrix(&characteristic_polynomial(model));
+    let matrix = companion_matrix(&monic(&coefficients, model.freedom()));
     let bounds = |values: &[_]| error_bounds(values, |point| shifted(&coefficients, point));
     best_spectrum(
         approximate_eigenvalues(&matrix),
@@ -41,11 +41,13 @@ pub fn eigenvalues(model: &Model) -> Result<Spectrum, StabilityError> {
 /// The characteristic polynomial, Eq. (19): monic, of degree 2n, for λ in units of the power of 2
 /// below the largest natural frequency in rad/s, so that its coefficients are of one size.
 pub fn characteristic_polynomial(model: &Model) -> Polynomial<f64> {
-    let coefficients = coefficients(model);
-    let coefficients = &coefficients[..=2 * model.freedom()];
-    let leading = coefficients[2 * model.freedom()].centre.re;
-    let monic = coefficients.iter().map(|ball| ball.centre.re / leading);
-    Polynomial::new(monic.collect())
+    monic(&coefficients(model), model.freedom())
+}
+
+fn monic(coefficients: &[Ball; 7], freedom: usize) -> Polynomial<f64> {
+    let real = coefficients[..=2 * freedom].iter().map(|own| own.centre.re);
+    let leading = coefficients[2 * freedom].centre.re;
+    Polynomial::new(real.map(|own| own / leading).collect())
 }
 
 /// The companion matrix of a monic polynomial z^N + c_{N−1} z^{N−1} + … + c_0, N×N: ones below the

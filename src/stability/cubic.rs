@@ -1,14 +1,12 @@
 //! The roots of a cubic with complex coefficients.
 
-use nalgebra::{Matrix3, Schur};
 use num_complex::Complex;
 
-/// The most iterations of the decomposition.
-const MOST_ITERATIONS: usize = 200;
-
-/// The three z with z³ + c_1 z² + c_2 z + c_3 = 0, multiple ones repeated, as eigenvalues of the companion
-/// matrix of the cubic for z over its size. `None` for coefficients that are not finite, or if the
-/// decomposition does not converge.
+/// The three z with z³ + c_1 z² + c_2 z + c_3 = 0, multiple ones repeated, by Cardano's formula. `None` for
+/// coefficients that are not finite.
+///
+/// With z = w − c_1/3 it is w³ + 3pw + 2q = 0, and w = u + v, where u³ = −q ± √(q² + p³) and uv = −p. The sign
+/// that does not cancel makes the roots those of a cubic whose coefficients differ by rounding.
 pub(super) fn roots(coefficients: [Complex<f64>; 3]) -> Option<[Complex<f64>; 3]> {
     let [c_1, c_2, c_3] = coefficients;
     // No root is larger than twice this.
@@ -21,21 +19,17 @@ pub(super) fn roots(coefficients: [Complex<f64>; 3]) -> Option<[Complex<f64>; 3]
     if !(unit * unit * unit).is_normal() {
         return None;
     }
-    let (one, zero) = (Complex::ONE, Complex::ZERO);
-    let companion = Matrix3::new(
-        -c_1 / unit,
-        -c_2 / (unit * unit),
-        -c_3 / (unit * unit * unit),
-        one,
-        zero,
-        zero,
-        zero,
-        one,
-        zero,
-    );
-    let schur = Schur::try_new(companion, f64::EPSILON, MOST_ITERATIONS)?;
-    let (_, triangle) = schur.unpack();
-    let roots = [0, 1, 2].map(|place| triangle[(place, place)] * unit);
+    let mean = c_1 / (-3.0 * unit);
+    let (c_2, c_3) = (c_2 / (unit * unit), c_3 / (unit * unit * unit));
+    let p = c_2 / 3.0 - mean * mean;
+    let q = (mean * (c_2 - 2.0 * mean * mean) + c_3) / 2.0;
+    let root = (q * q + p * p * p).sqrt();
+    let cancels = (q.conj() * root).re > 0.0;
+    let u = (if cancels { -q - root } else { root - q }).cbrt();
+    let v = if u == Complex::ZERO { u } else { -p / u };
+    let third_of_a_turn = Complex::new(-0.5, 0.75_f64.sqrt());
+    let roots = [Complex::ONE, third_of_a_turn, third_of_a_turn.conj()]
+        .map(|turn| (mean + u * turn + v * turn.conj()) * unit);
     roots.iter().all(|root| root.is_finite()).then_some(roots)
 }
 

@@ -93,15 +93,10 @@ fn pellet_radius(taylor: &[Ball; 7], count: usize) -> Option<f64> {
     if dominant <= 0.0 || !largest.iter().all(|size| size.is_finite()) {
         return None;
     }
-    let holds = |radius: f64| {
-        let term = |power: usize| largest[power] * radius.powi(power as i32);
-        let others: f64 = (0..taylor.len())
-            .filter(|&power| power != count)
-            .map(term)
-            .sum();
-        // The margin is far above the rounding of the sum.
-        dominant * radius.powi(count as i32) * (1.0 - 1e-12) > others
-    };
+    // Σ |q_j| R^j − |q_k| R^k < 0 by Horner's rule, with a margin far above its rounding.
+    let mut terms = largest;
+    terms[count] = -dominant * (1.0 - 1e-12);
+    let holds = |radius: f64| terms.iter().rev().fold(0.0, |sum, own| sum * radius + own) < 0.0;
     // No smaller radius can do: each lower term alone is as large.
     let alone = |power: usize| (largest[power] / dominant).powf(1.0 / (count - power) as f64);
     let least = (0..count).map(alone).fold(1e-30, f64::max);

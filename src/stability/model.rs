@@ -181,9 +181,17 @@ impl Model {
         Matrix3::from_fn(|i, j| self.mass[i][j].centre.re)
     }
 
-    /// K for three free coordinates, scaled.
-    pub(super) fn scaled_stiffness(&self) -> Matrix3<f64> {
-        Matrix3::from_fn(|i, j| self.stiffness[i][j].centre.re)
+    /// The median ω_0 of three natural frequencies, and K − ω_0² M, scaled, where nearly equal frequencies lose
+    /// no digits.
+    pub(super) fn shifted_stiffness(&self) -> (f64, Matrix3<f64>) {
+        let omega = self.frequencies.map(|own| own.centre.im);
+        let [x, y, theta] = omega;
+        let median = x.min(y).max(x.max(y).min(theta));
+        let entry = |i: usize, j: usize| match i == j {
+            true => (omega[i] - median) * (omega[i] + median),
+            false => -median * median * self.mass[i][j].centre.re,
+        };
+        (median, Matrix3::from_fn(entry))
     }
 
     /// C_s + C_a for three free coordinates, scaled.

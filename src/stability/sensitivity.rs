@@ -2,7 +2,7 @@
 
 use super::ball::Ball;
 use super::coordinate::Coordinate;
-use super::eigenvalue::Spectrum;
+use super::eigenvalue::{Eigenvalue, Spectrum};
 use super::model::Model;
 
 /// The free coordinates whose structural damping ratio ζ lowers S as it grows, for certain, with ∂S/∂ζ < 0.
@@ -19,13 +19,17 @@ pub fn weakened_by(model: &Model, spectrum: &Spectrum) -> Vec<(Coordinate, f64)>
     let section = model.section();
     let mut pairs: Vec<_> = spectrum.one_of_each_pair().collect();
     pairs.sort_by(|one, other| other.value.re.total_cmp(&one.value.re));
-    let critical = match pairs.as_slice() {
-        [first, second, ..] if first.value.re - first.error <= second.value.re + second.error => {
-            return Vec::new();
-        }
-        [first, ..] => *first,
-        [] => return Vec::new(),
+    let Some((critical, others)) = pairs.split_first() else {
+        return Vec::new();
     };
+    let may_reach = |other: &&Eigenvalue| other.value.re + other.error;
+    let highest = others
+        .iter()
+        .map(may_reach)
+        .fold(f64::NEG_INFINITY, f64::max);
+    if critical.value.re - critical.error <= highest {
+        return Vec::new();
+    }
     let unit = model.frequency_unit;
     let lambda = Ball {
         centre: critical.value / unit,

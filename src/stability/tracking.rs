@@ -1,5 +1,8 @@
 //! Modes followed from point to point by their shapes.
 
+use std::array;
+use std::sync::LazyLock;
+
 use num_complex::Complex;
 
 use super::coordinate::Coordinate;
@@ -40,19 +43,19 @@ impl Mode {
 /// How alike two modes move: |φᴴMψ|²/(φᴴMφ · ψᴴMψ) with the mass matrix M of a model; 1 for the same
 /// shape, 0 for shapes that share no kinetic energy.
 pub fn overlap(model: &Model, one: &Mode, other: &Mode) -> f64 {
-    let product = |a: &Mode, b: &Mode| -> Complex<f64> {
-        let pairs = a.shape.iter().zip(&model.mass);
-        let rows = pairs.map(|(left, row)| {
-            let terms = row.iter().zip(&b.shape);
-            left.conj()
-                * terms
-                    .map(|(mass, right)| mass.centre * right)
-                    .sum::<Complex<f64>>()
-        });
-        rows.sum()
-    };
-    let energies = product(one, one).re * product(other, other).re;
-    product(one, other).norm_sqr() / energies
+    let energies = product(model, one, one).re * product(model, other, other).re;
+    product(model, one, other).norm_sqr() / energies
+}
+
+/// φᴴMψ
+fn product(model: &Model, one: &Mode, other: &Mode) -> Complex<f64> {
+    let pairs = one.shape.iter().zip(&model.mass);
+    let rows = pairs.map(|(left, row)| {
+        let terms = row.iter().zip(&other.shape);
+        let along: Complex<f64> = terms.map(|(mass, right)| right * mass.centre.re).sum();
+        left.conj() * along
+    });
+    rows.sum()
 }
 
 /// Which of the modes at the next point continues each of those before: `result[i]` is the place of
@@ -63,13 +66,19 @@ pub fn overlap(model: &Model, one: &Mode, other: &Mode) -> f64 {
 /// differ or exceed 6, as at a point where a pair of eigenvalues becomes real.
 ///
 /// All assignments of n ≤ 6 modes are tried: n!.
-pub fn follow(model: &Model, before: &[Mode], next: &[Mode]) -> Option<Vec<usize>> {
-    if before.len() != next.len() || before.len() > 6 {
+pub fn follow(model: &Model, before: &[&Mode], next: &[&Mode]) -> Option<&'static [usize]> {
+    if before.len() != next.len() {
         return None;
     }
-    let rates = |old: &Mode| -> Vec<(f64, f64)> {
-        let rate = |new| (overlap(model, old, new), (old.value - new.value).norm());
-        next.iter().map(rate).collect()
+    let energy = |mode: &&Mode| product(model, mode, mode).re;
+    let energies: Vec<f64> = next.iter().map(energy).collect();
+    let rates = |old: &&Mode| -> Vec<(f64, f64)> {
+        let own = energy(old);
+        let rate = |(new, energy): (&&Mode, &f64)| {
+            let alike = product(model, old, new).norm_sqr() / (own * energy);
+            (alike, (old.value - new.value).norm())
+        };
+        next.iter().zip(&energies).map(rate).collect()
     };
     let rates: Vec<_> = before.iter().map(rates).collect();
     let rate = |assignment: &[usize]| {
@@ -78,9 +87,10 @@ pub fn follow(model: &Model, before: &[Mode], next: &[Mode]) -> Option<Vec<usize
             (alike + row[new].0, change + row[new].1)
         })
     };
-    assignments(before.len())
-        .into_iter()
-        .map(|assignment| (rate(&assignment), assignment))
+    ORDERS
+        .get(before.len())?
+        .iter()
+        .map(|assignment| (rate(assignment), assignment.as_slice()))
         .reduce(|best, other| {
             let ((best_alike, best_change), (alike, change)) = (best.0, other.0);
             let is_tie = (alike - best_alike).abs() <= 1e-6;
@@ -94,8 +104,10 @@ pub fn follow(model: &Model, before: &[Mode], next: &[Mode]) -> Option<Vec<usize
         .map(|(_, assignment)| assignment)
 }
 
-/// All orders of 0..n.
-fn assignments(n: usize) -> Vec<Vec<usize>> {
+/// All orders of 0..n, for each n up to 6.
+static ORDERS: LazyLock<[Vec<Vec<usize>>; 7]> = LazyLock::new(|| array::from_fn(orders));
+
+fn orders(n: usize) -> Vec<Vec<usize>> {
     (0..n).fold(vec![Vec::new()], |shorter, last| {
         let longer = |order: &Vec<usize>| {
             let order = order.clone();

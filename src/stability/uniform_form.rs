@@ -3,7 +3,6 @@
 use nalgebra::Matrix3;
 use num_complex::Complex;
 use sextic_evaluators::uniform_cubic::{UniformCubicInputs, uniform_cubic};
-use sextic_evaluators::uniform_cubic_1::{UniformCubic1Inputs, uniform_cubic_1};
 
 use super::closed_form::{ClosedForm, Limitation};
 use super::cubic;
@@ -51,12 +50,7 @@ pub fn uniform_form_of(order: Order, model: &Model) -> Result<ClosedForm, Limita
     }
     let modal = Modal::new(model).ok_or(Limitation::NoRoots)?;
     let [_, nu_2, nu_3] = modal.frequencies;
-    let coefficients = match order {
-        Order::First => first_cubic(&modal),
-        Order::Second => second_cubic(&modal),
-    };
-    let roots = cubic::roots(coefficients.map(|(re, im)| Complex::new(re, im)));
-    let mut eigenvalues = roots
+    let mut eigenvalues = cubic::roots(coefficients(order, &modal))
         .ok_or(Limitation::NoRoots)?
         .map(|root| (root + Complex::new(0.0, nu_2)) * model.frequency_unit);
     eigenvalues.sort_by(|one, other| other.im.total_cmp(&one.im));
@@ -69,36 +63,13 @@ pub fn uniform_form_of(order: Order, model: &Model) -> Result<ClosedForm, Limita
     })
 }
 
-/// The coefficients of μ², μ and 1, real and imaginary parts, to first order in the damping.
+/// The coefficients of μ², μ and 1.
 #[allow(non_snake_case)]
-fn first_cubic(modal: &Modal) -> [(f64, f64); 3] {
-    let ([nu_1, nu_2, nu_3], B) = (modal.frequencies, modal.damping);
-    let cubic = uniform_cubic_1(&UniformCubic1Inputs {
-        B_11: B[(0, 0)],
-        B_12: B[(0, 1)],
-        B_13: B[(0, 2)],
-        B_21: B[(1, 0)],
-        B_22: B[(1, 1)],
-        B_23: B[(1, 2)],
-        B_31: B[(2, 0)],
-        B_32: B[(2, 1)],
-        B_33: B[(2, 2)],
-        Delta_1: nu_1 - nu_2,
-        Delta_3: nu_3 - nu_2,
-    });
-    [
-        (cubic.re_1, cubic.im_1),
-        (cubic.re_2, cubic.im_2),
-        (cubic.re_3, cubic.im_3),
-    ]
-}
-
-/// The coefficients of μ², μ and 1, real and imaginary parts, to second order in the damping.
-#[allow(non_snake_case)]
-fn second_cubic(modal: &Modal) -> [(f64, f64); 3] {
-    let ([nu_1, nu_2, nu_3], B) = (modal.frequencies, modal.damping);
+fn coefficients(order: Order, modal: &Modal) -> [Complex<f64>; 3] {
+    let B = modal.damping;
+    let [Delta_1, Delta_3] = modal.distances;
     let cubic = uniform_cubic(&UniformCubicInputs {
-        nu_2,
+        nu_2: modal.frequencies[1],
         B_11: B[(0, 0)],
         B_12: B[(0, 1)],
         B_13: B[(0, 2)],
@@ -108,13 +79,17 @@ fn second_cubic(modal: &Modal) -> [(f64, f64); 3] {
         B_31: B[(2, 0)],
         B_32: B[(2, 1)],
         B_33: B[(2, 2)],
-        Delta_1: nu_1 - nu_2,
-        Delta_3: nu_3 - nu_2,
+        Delta_1,
+        Delta_3,
+        second: match order {
+            Order::First => 0.0,
+            Order::Second => 1.0,
+        },
     });
     [
-        (cubic.re_1, cubic.im_1),
-        (cubic.re_2, cubic.im_2),
-        (cubic.re_3, cubic.im_3),
+        Complex::new(cubic.re_1, cubic.im_1),
+        Complex::new(cubic.re_2, cubic.im_2),
+        Complex::new(cubic.re_3, cubic.im_3),
     ]
 }
 

@@ -74,6 +74,8 @@ pub struct Departure {
     pub angle: f64,
     /// At so many angles S has the wrong sign for certain.
     pub wrong_signs: usize,
+    /// At so many angles the form has an answer.
+    pub answers: usize,
 }
 
 /// The errors of all forms; `None` where one does not apply.
@@ -127,7 +129,7 @@ const WINDS: [f64; 2] = [1e-5, 0.1];
 
 /// The map of a case.
 ///
-/// Some 90,000 eigenvalue problems of 6×6, on all cores.
+/// Some 110,000 eigenvalue problems of 6×6, on all cores.
 ///
 /// # Errors
 ///
@@ -266,10 +268,11 @@ impl Sections {
         norms.fold(0.0, f64::max)
     }
 
-    /// The errors with another eccentricity and wind; the forms apply to perfectly tuned sections.
+    /// The errors with another eccentricity and wind, infinite for a form that has no answer at one of the
+    /// angles; all apply to perfectly tuned sections.
     fn at(&self, [eccentricity, wind]: [f64; 2]) -> Result<[Departure; 3], StabilityError> {
         let moved = self.with(|parameters| Parameters {
-            mass_centre_distance: eccentricity * parameters.radius_of_gyration,
+            mass_centre_distance: distance(eccentricity, parameters.radius_of_gyration),
             wind_speed: wind * speed_of_unit(&parameters),
             ..parameters
         });
@@ -277,8 +280,12 @@ impl Sections {
             error: f64::INFINITY,
             angle: self.sections[0].0,
             wrong_signs: 0,
+            answers: 0,
         };
-        Ok(moved.departures()?.map(|own| own.unwrap_or(none)))
+        let is_whole = |own: &Departure| own.answers == self.sections.len();
+        Ok(moved
+            .departures()?
+            .map(|own| own.filter(is_whole).unwrap_or(none)))
     }
 
     fn departures(&self) -> Result<Departures, StabilityError> {
@@ -301,7 +308,9 @@ impl Sections {
                     error: 0.0,
                     angle,
                     wrong_signs: 0,
+                    answers: 0,
                 });
+                own.answers += 1;
                 own.wrong_signs += usize::from(is_wrong);
                 if error > own.error {
                     (own.error, own.angle) = (error, angle);
@@ -310,6 +319,11 @@ impl Sections {
         }
         Ok(found)
     }
+}
+
+/// L_g = e r, below r whatever the rounding.
+fn distance(eccentricity: f64, radius_of_gyration: f64) -> f64 {
+    (eccentricity * radius_of_gyration).min(radius_of_gyration.next_down())
 }
 
 /// The wind speed at which δ = 1: 2mω_n/(ρD).
@@ -330,7 +344,7 @@ fn around([least, largest]: [f64; 2], number: f64) -> [f64; 2] {
 fn logarithmic([first, last]: [f64; 2], count: usize) -> Vec<f64> {
     let step = (last / first).ln() / (count - 1) as f64;
     (0..count)
-        .map(|place| first * (step * place as f64).exp())
+        .map(|place| (first * (step * place as f64).exp()).min(last))
         .collect()
 }
 

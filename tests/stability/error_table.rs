@@ -10,6 +10,7 @@ use sextic::stability::forces::Forces;
 use sextic::stability::model::Model;
 use sextic::stability::section::{Parameters, Section};
 use sextic::stability::uniform_form::{Order, uniform_form_of};
+use sextic::stability::verdict::verdict;
 use sextic::stability::{companion, state_matrix};
 
 use super::cases::{read, snapshots};
@@ -28,6 +29,8 @@ struct Worst {
     error: f64,
     wrong: usize,
     answers: usize,
+    /// How often the state matrix had to answer in its place.
+    replaced: usize,
 }
 
 impl Worst {
@@ -36,6 +39,7 @@ impl Worst {
             error: self.error.max(other.error),
             wrong: self.wrong + other.wrong,
             answers: self.answers + other.answers,
+            replaced: self.replaced + other.replaced,
         }
     }
 }
@@ -104,6 +108,7 @@ fn row(p: &Parameters) -> Row {
         error: critical.real_distance(part) / size,
         wrong: usize::from(has_sign && (part > 0.0) != (exact > 0.0)),
         answers: 1,
+        replaced: 0,
     };
     let certain = |spectrum: &Spectrum| {
         let (part, bound) = spectrum.largest_real_part();
@@ -113,6 +118,16 @@ fn row(p: &Parameters) -> Row {
         );
         of(part)
     };
+    // The sines of the oracle are rounded.
+    if exact.abs() > 1e-14 * size {
+        let wrong = match exact > 0.0 {
+            true => "stable",
+            false => "unstable",
+        };
+        let verdict = verdict(&section, &state);
+        assert_ne!(verdict.name(), wrong, "{p:?}: {exact}");
+    }
+    let modes = exact_modes::eigenvalues(&model).expect("it converges");
     let form = |order| {
         of(uniform_form_of(order, &model)
             .expect("it applies")
@@ -121,11 +136,10 @@ fn row(p: &Parameters) -> Row {
     [
         certain(&state),
         certain(&companion::eigenvalues(&model).expect("it converges")),
-        certain(
-            &exact_modes::eigenvalues(&model)
-                .expect("it converges")
-                .spectrum,
-        ),
+        Worst {
+            replaced: usize::from(modes.fallback.is_some()),
+            ..certain(&modes.spectrum)
+        },
         form(Order::Second),
         form(Order::First),
         closed_form(&section).map_or(Worst::default(), |own| of(own.largest_real_part())),
@@ -165,7 +179,11 @@ fn table() -> String {
                     0 => String::new(),
                     _ => format!(", {} % wrong", share.ceil()),
                 };
-                write!(table, " {}{wrong} |", power(own.error)).expect("a string");
+                let replaced = match own.replaced {
+                    0 => String::new(),
+                    count => format!(", {count} by state matrix"),
+                };
+                write!(table, " {}{wrong}{replaced} |", power(own.error)).expect("a string");
             }
             table += "\n";
         }

@@ -271,6 +271,7 @@ fn real_parts_are_as_exact_as_those_of_the_state_matrix_or_better() {
         for e in [0.0, 1e-6, 1e-3, 0.03, 0.3, 0.8] {
             let mut numbers = Numbers::new(43);
             let (mut own_worst, mut other_worst) = (0.0_f64, 0.0_f64);
+            let mut count = 0;
             for place in 0..24 {
                 let usual = given("usual", &mut numbers);
                 let [omega, ..] = usual.natural_frequencies;
@@ -311,12 +312,14 @@ fn real_parts_are_as_exact_as_those_of_the_state_matrix_or_better() {
                     let errors = values.iter().map(|own| nearest(own.value.re, own.value.im));
                     errors.fold(0.0, f64::max) / damping
                 };
+                count += 1;
                 own_worst = own_worst.max(error(&own.spectrum.eigenvalues));
                 other_worst = other_worst.max(error(&other.eigenvalues));
             }
             println!(
                 "δ = {delta:.0e}, e = {e:.0e}: {own_worst:.1e}, state matrix {other_worst:.1e}"
             );
+            assert!(count >= 12, "{delta} {e}: {count} sections");
             assert!(own_worst <= 2e-12, "{delta} {e}: {own_worst}");
             assert!(
                 own_worst <= other_worst,
@@ -358,7 +361,7 @@ fn what_has_no_radius_is_said_and_found_otherwise() {
 /// A change of a section, and whether its modes are known then.
 type Case = (&'static str, fn(&mut ScaledEntriesInputs<f64>), bool);
 
-const CASES: [Case; 37] = [
+const CASES: [Case; 41] = [
     ("nothing", |_| (), true),
     ("no wind", |own| own.U = 0.0, true),
     ("no eccentricity", |own| own.L_g = 0.0, true),
@@ -376,6 +379,9 @@ const CASES: [Case; 37] = [
     ("too fast", |own| slowed(own, 1e100), false),
     ("frequency 0", |own| own.omega_theta = 0.0, false),
     ("all frequencies negative", |own| slowed(own, -1.0), false),
+    ("omega_x negative", |own| own.omega_x *= -1.0, false),
+    ("omega_y negative", |own| own.omega_y *= -1.0, false),
+    ("omega_theta negative", |own| own.omega_theta *= -1.0, false),
     ("frequencies far apart", |own| own.omega_y *= 300.0, true),
     ("r = 0", |own| own.r = 0.0, false),
     ("r < 0", |own| own.r = -own.r, false),
@@ -389,6 +395,7 @@ const CASES: [Case; 37] = [
     ("huge S_xy", |own| own.S_xy = 1e200, false),
     ("huge S_tt", |own| own.S_tt = -1e300, false),
     ("NaN m", |own| own.m = f64::NAN, false),
+    ("NaN r", |own| own.r = f64::NAN, false),
     ("NaN L_g", |own| own.L_g = f64::NAN, false),
     ("NaN omega_x", |own| own.omega_x = f64::NAN, false),
     ("NaN omega_y", |own| own.omega_y = f64::NAN, false),

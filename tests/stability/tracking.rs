@@ -36,7 +36,8 @@ fn followed(eccentricity: f64, steps: usize) -> (Vec<Mode>, Vec<Mode>) {
     let mut now = start.clone();
     for step in 1..=steps {
         let (model, next) = modes_at(5.9 + 0.2 * step as f64 / steps as f64, eccentricity);
-        let places = follow(&model, &now, &next).expect("as many modes");
+        let [before, after] = [&now, &next].map(|modes| modes.iter().collect::<Vec<_>>());
+        let places = follow(&model, &before, &after).expect("as many modes");
         now = places.iter().map(|&place| next[place].clone()).collect();
     }
     (start, now)

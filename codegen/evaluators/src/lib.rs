@@ -16,8 +16,7 @@
 //! - The coefficients of the characteristic polynomial for wind along x, that of λ⁰ first, Eq. (19): [`characteristic_polynomial_along_x::characteristic_polynomial_along_x`]
 //! - The coefficients of the characteristic polynomial without structural damping, that of λ⁰ first, Eq. (19): [`characteristic_polynomial_undamped::characteristic_polynomial_undamped`]
 //! - The coefficients of the characteristic polynomial, that of λ⁰ first, Eq. (19): [`characteristic_polynomial::characteristic_polynomial`]
-//! - The coefficients of μ², μ and 1 of the characteristic cubic, real and imaginary parts, to first order in the damping; iν_2 + μ are the eigenvalues: [`uniform_cubic_1::uniform_cubic_1`]
-//! - The coefficients of μ², μ and 1 of the characteristic cubic, real and imaginary parts, to second order in the damping; iν_2 + μ are the eigenvalues: [`uniform_cubic::uniform_cubic`]
+//! - The coefficients of μ², μ and 1 of the characteristic cubic, real and imaginary parts, to first (second = 0) or second order (second = 1) in the damping; iν_2 + μ are the eigenvalues: [`uniform_cubic::uniform_cubic`]
 //! - The eccentricity, and the damping over mass by the wind and by the structure: [`scaled_entries::scaled_entries`]
 //! - The real parts of the eigenvalues of the three modes (one above 0 gallops), to first order in the damping, without structural damping, for perfect tuning, and if the eccentricity separates the modes by more than they are damped; from the physical parameters, Eqs. (21), (22), (23): [`closed_form_in_wind::closed_form_in_wind`]
 //! - The real parts of the eigenvalues of the three modes (one above 0 gallops), to first order in the damping, without structural damping, for perfect tuning, and if the eccentricity separates the modes by more than they are damped; from the scaled damping matrix, Eqs. (21), (22), (23): [`closed_form::closed_form`]
@@ -71,5 +70,3 @@ pub mod shifted_determinant;
 pub mod shifted_polynomial;
 #[rustfmt::skip]
 pub mod uniform_cubic;
-#[rustfmt::skip]
-pub mod uniform_cubic_1;

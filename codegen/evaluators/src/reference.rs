@@ -86,7 +86,8 @@ impl<T: Comparison> Reference<T> {
             section.rho.smaller(section.D),
             section.rho.larger(section.D),
         );
-        let least = mechanical.0.smaller(air.0).smaller(speed).smaller(unit);
+        let lowest = x.smaller(y).smaller(t);
+        let least = mechanical.0.smaller(air.0).smaller(speed).smaller(lowest);
         let most = mechanical.1.larger(air.1).larger(speed).larger(unit);
         let couplings = own.w_12.magnitude()
             + own.w_13.magnitude()

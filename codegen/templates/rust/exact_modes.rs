@@ -21,7 +21,7 @@
 //!    other factor by 9u of its magnitudes, a complex product adds 2u, a sum u. On the longest paths,
 //!    D_xD_yD_θ: 3·12 + 4 + 1; ω²D_x b_yθ b_θy: 5 + 12 + 2·9 + 3·2 + 4; ω³c_xy b b: 5 + 3 + 8 + 2·9 + 3·2 + 4;
 //!    with the rounding of the magnitudes themselves, at most 56u of their determinant F.
-//! 3. Denominators: (ν_k − ν_j)(ω_k + ω̄_j) is rounded by 10u; P_k = 2a_6 Re ω_k·(…)(…) by 30u and 8u/a_6, and
+//! 3. Denominators: (ν_k − ν_j)(ω_k + ω̄_j) is rounded by 10u; P_k = 2a_6 Re ω_k·(…)(…) by 30u and 13u/a_6, and
 //!    a reciprocal and a product by 10u more. So the computed correction W̃_k differs from W_k = Q(ν_k)/P_k by
 //!    at most u((48 + 16/a_6)|W̃_k|₁ + 56F_k|1/P_k|₁). a_6 > 1/1024 is required.
 //! 4. Lagrange: Q(z)/a_6 = Π(z − z_j)·(1 + ΣW_j/(z − z_j)). At ν̂_k that is
@@ -32,7 +32,7 @@
 //!    is at most B_k + 5.2|W̃_k|₁V/d, and Π|ν̂_k − z_j|/|ν̂_k − ẑ_j| < 1.02.
 //! 6. Smith: the discs about ẑ_k with radii 6|Q(ẑ_k)|/|a_6Π_{j≠k}(ẑ_k − ẑ_j)| hold all roots, and one that is
 //!    apart from the others holds just one. So r_k = 6.25(B_k + 5.2|W̃_k|₁V/d); r_k < d/4 is required.
-//! 7. Range: what `Reference` asks of the quantities, |ν_k| < 10⁶, Re ω_k > 10⁻⁴ and d > 10⁻¹⁷ keep every
+//! 7. Range: natural frequencies above 0 and what else `Reference` asks of the quantities, |ν_k| < 10⁶, Re ω_k > 10⁻⁴ and d > 10⁻¹⁷ keep every
 //!    product that is divided by normal; what others lose by underflow is in F.
 
 use super::comparison::Comparison;

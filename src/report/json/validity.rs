@@ -33,6 +33,7 @@ struct Shift {
     error: f64,
     at_deg: f64,
     wrong_signs: usize,
+    answers: usize,
 }
 
 #[derive(Serialize)]
@@ -86,5 +87,6 @@ fn shift(own: Departure) -> Shift {
         error: own.error,
         at_deg: own.angle,
         wrong_signs: own.wrong_signs,
+        answers: own.answers,
     }
 }

@@ -60,8 +60,12 @@ fn departure(own: Departure, angles: usize) -> String {
         0 => "no wrong sign".to_string(),
         wrong => format!("wrong sign at {wrong} of {angles} angles"),
     };
+    let silent = match angles - own.answers {
+        0 => String::new(),
+        silent => format!(", no answer at {silent}"),
+    };
     format!(
-        "{:.1e} (at {}°), {signs}",
+        "{:.1e} (at {}°), {signs}{silent}",
         rounded_up(own.error),
         angle(own.angle)
     )

@@ -153,12 +153,12 @@ fn followed(
     next: Vec<(Mode, Value)>,
     before: &mut Vec<(usize, Mode)>,
 ) -> Vec<FollowedMode> {
-    let old: Vec<Mode> = before.iter().map(|(_, mode)| mode.clone()).collect();
-    let new: Vec<Mode> = next.iter().map(|(mode, _)| mode.clone()).collect();
+    let old: Vec<&Mode> = before.iter().map(|(_, mode)| mode).collect();
+    let new: Vec<&Mode> = next.iter().map(|(mode, _)| mode).collect();
     let labels: Vec<usize> = match follow(model, &old, &new) {
         Some(places) => {
             let mut labels = vec![0; next.len()];
-            for ((label, _), place) in before.iter().zip(places) {
+            for ((label, _), &place) in before.iter().zip(places) {
                 labels[place] = *label;
             }
             labels
