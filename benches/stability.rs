@@ -10,6 +10,7 @@ use std::hint::black_box;
 use std::io::Write as _;
 
 use nalgebra::Schur;
+use num_complex::Complex;
 use rayon::prelude::*;
 use sextic::report::csv::{comparison, grid_row};
 use sextic::stability::axis::Axis;
@@ -27,7 +28,12 @@ use sextic::stability::tracking::Mode;
 use sextic::stability::uniform_form::uniform_form;
 use sextic::stability::variable::Variable;
 use sextic::stability::verdict::{exact_verdict, verdict};
-use sextic::stability::{companion, state_matrix};
+use sextic::stability::{companion, cubic, state_matrix};
+use sextic_evaluators::closed_form::{
+    ClosedFormAngles, ClosedFormInputs, closed_form as closed_form_evaluator,
+};
+use sextic_evaluators::modal_damping::{ModalDampingInputs, modal_damping};
+use sextic_evaluators::uniform_cubic::{UniformCubicInputs, uniform_cubic};
 use side_by_side::{Contender, compare};
 
 /// From one angle to the next in degrees: 3,600 of them on half a circle.
@@ -48,6 +54,10 @@ fn main() {
         assert_eq!(case.angles.values().len(), 3600);
         all_methods(&case, &table);
     }
+    uniform_forms(
+        &Case::read("tuned.toml", &read("tuned.toml")).unwrap(),
+        &table,
+    );
     sweep(
         &Case::read("tuned.toml", &read("tuned.toml")).unwrap(),
         &table,
@@ -150,6 +160,135 @@ fn all_methods(case: &Case, table: &CoefficientTable) {
             }),
         ],
     );
+}
+
+/// The closed forms and one complex cubic, and the uniform form of the second order, for perfect tuning: by what
+/// is compiled; and by the library, which finds the modes of any frequencies.
+fn uniform_forms(case: &Case, table: &CoefficientTable) {
+    let angles = case.angles.values();
+    let curves = CoefficientCurves::new(table, case.interpolation);
+    let section = |angle: &f64| case.section(*angle, curves.at(*angle).unwrap()).unwrap();
+    let sections: Vec<Section> = angles.iter().map(section).collect();
+    let models: Vec<Model> = sections
+        .iter()
+        .map(|own| Model::new(own).unwrap())
+        .collect();
+    let closed: Vec<_> = sections.iter().map(closed_form_inputs).collect();
+    let uniform: Vec<_> = sections.iter().map(modal_damping_inputs).collect();
+    let cubics: Vec<_> = uniform.iter().map(second_order_cubic).collect();
+    for ((inputs, cubic), model) in uniform.iter().zip(&cubics).zip(&models) {
+        let [a, b, c] = cubic::roots(*cubic).unwrap();
+        let largest = a.re.max(b.re).max(c.re);
+        let other = uniform_form(model).unwrap().largest_real_part();
+        assert!((largest - other).abs() <= 1e-12 * inputs.omega_n);
+    }
+    let count = angles.len();
+    compare(
+        "tuned.toml by closed form and by the uniform form, each angle:",
+        vec![
+            Contender::new("(21)-(23) and one complex cubic", count, || {
+                for (inputs, coefficients) in closed.iter().zip(&cubics) {
+                    black_box(closed_form_evaluator(black_box(inputs)));
+                    black_box(cubic::roots(*black_box(coefficients)));
+                }
+            }),
+            Contender::new("uniform form, second order, compiled", count, || {
+                for inputs in &uniform {
+                    black_box(cubic::roots(second_order_cubic(black_box(inputs))));
+                }
+            }),
+            Contender::new("(21)-(23) alone", count, || {
+                for inputs in &closed {
+                    black_box(closed_form_evaluator(black_box(inputs)));
+                }
+            }),
+            Contender::new("uniform form, any frequencies", count, || {
+                for model in &models {
+                    let _ = black_box(uniform_form(model));
+                }
+            }),
+        ],
+    );
+}
+
+#[allow(non_snake_case)]
+fn closed_form_inputs(section: &Section) -> ClosedFormInputs<f64> {
+    let p = section.parameters();
+    let [[S_xx, S_xy, S_xt], [S_yx, S_yy, S_yt], [S_tx, S_ty, S_tt]] = section.scaled_damping();
+    ClosedFormInputs::from(&ClosedFormAngles {
+        m: p.mass,
+        r: p.radius_of_gyration,
+        L_g: p.mass_centre_distance,
+        alpha_g: p.mass_centre_angle,
+        theta_0: p.attitude,
+        rho: p.air_density,
+        D: p.reference_dimension,
+        U: p.wind_speed,
+        S_xx,
+        S_xy,
+        S_yx,
+        S_yy,
+        S_xt,
+        S_yt,
+        S_tx,
+        S_ty,
+        S_tt,
+    })
+}
+
+#[allow(non_snake_case)]
+fn modal_damping_inputs(section: &Section) -> ModalDampingInputs<f64> {
+    let p = section.parameters();
+    let own = closed_form_inputs(section);
+    let [zeta_x, zeta_y, zeta_theta] = p.damping_ratios;
+    ModalDampingInputs {
+        m: own.m,
+        r: own.r,
+        L_g: own.L_g,
+        cos_alpha_g_plus_theta_0: own.cos_alpha_g_plus_theta_0,
+        sin_alpha_g_plus_theta_0: own.sin_alpha_g_plus_theta_0,
+        zeta_x,
+        zeta_y,
+        zeta_theta,
+        rho: own.rho,
+        D: own.D,
+        U: own.U,
+        omega_n: p.natural_frequencies[0],
+        S_xx: own.S_xx,
+        S_xy: own.S_xy,
+        S_yx: own.S_yx,
+        S_yy: own.S_yy,
+        S_xt: own.S_xt,
+        S_yt: own.S_yt,
+        S_tx: own.S_tx,
+        S_ty: own.S_ty,
+        S_tt: own.S_tt,
+    }
+}
+
+/// The coefficients of μ², μ and 1.
+fn second_order_cubic(inputs: &ModalDampingInputs<f64>) -> [Complex<f64>; 3] {
+    let own = modal_damping(inputs);
+    let cubic = uniform_cubic(&UniformCubicInputs {
+        second: 1.0,
+        nu_2: own.nu_2,
+        B_11: own.B_11,
+        B_12: own.B_12,
+        B_13: own.B_13,
+        B_21: own.B_21,
+        B_22: own.B_22,
+        B_23: own.B_23,
+        B_31: own.B_31,
+        B_32: own.B_32,
+        B_33: own.B_33,
+        Delta_1: own.Delta_1,
+        Delta_3: own.Delta_3,
+    });
+    [
+        Complex::new(cubic.re_1, cubic.im_1),
+        Complex::new(cubic.re_2, cubic.im_2),
+        Complex::new(cubic.re_3, cubic.im_3),
+    ]
 }
 
 /// What a row of a sweep by closed form costs.

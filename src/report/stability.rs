@@ -86,7 +86,7 @@ pub fn conclusion(comparison: &Comparison) -> String {
                 }
             }
             let reasons = reasons.join("; or ");
-            format!("; not decided at {}, because {reasons}", listed(ranges))
+            format!("; not decided ({}), because {reasons}", listed(ranges))
         }
     };
     match (comparison.unstable.len(), comparison.undecided.len()) {

@@ -7,6 +7,9 @@ use sextic_evaluators::closed_form::{ClosedFormAngles, ClosedFormInputs};
 
 use super::section::Section;
 
+/// Damping of a mode above this share of its frequency is not small.
+pub(super) const STRONG: f64 = 0.1;
+
 /// What speaks against a closed form for a section.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Limitation {
@@ -23,9 +26,15 @@ pub enum Limitation {
         /// δ|S| with δ = ρ D U/(2 m ω_n) and the Frobenius norm of S_a, Eq. (18).
         damping: f64,
     },
+    /// |S| ≤ |S_a| (δ|S_a|/e)²: what is left out may be as large as the result, and of the other sign.
+    Sign {
+        /// (δ|S_a|/e)².
+        second_order: f64,
+    },
     /// The damping is not small beside the frequencies: what is left out may matter.
     StrongDamping {
-        /// |B|/(2ν), the damping in modal coordinates over twice the lowest frequency.
+        /// The largest |λ_R|/ω of a mode by the closed forms; by the uniform form |B|/(2ν), the damping in modal
+        /// coordinates over twice the lowest frequency.
         damping: f64,
     },
     /// No modes without wind, or no roots, were found in doubles.
@@ -41,6 +50,7 @@ impl Limitation {
             Limitation::NotTuned => "detuned",
             Limitation::StructuralDamping => "damped",
             Limitation::Eccentricity { .. } => "eccentricity",
+            Limitation::Sign { .. } => "sign",
             Limitation::StrongDamping { .. } => "strong",
             Limitation::NoRoots => "no-roots",
         }
@@ -70,9 +80,13 @@ impl fmt::Display for Limitation {
                 formatter,
                 "the eccentricity {eccentricity:.2e} is not above the aerodynamic damping {damping:.2e}: the closed form may have the wrong sign"
             ),
+            Limitation::Sign { second_order } => write!(
+                formatter,
+                "the closed form leaves out what is of the order (delta |S_a|/e)^2 = {second_order:.1e} of |S_a|, as much as its S: it may have the wrong sign"
+            ),
             Limitation::StrongDamping { damping } => write!(
                 formatter,
-                "the damping is not small: {damping:.2} of the lowest frequency; what the form leaves out is of the third order in it"
+                "the damping is not small: {damping:.2} of a frequency; the form leaves out higher orders of it"
             ),
             Limitation::NoRoots => write!(
                 formatter,
@@ -169,19 +183,37 @@ pub fn closed_form(section: &Section) -> Result<ClosedForm, Limitation> {
         Complex::new(parts.lamda_R2, omega_n),
         Complex::new(parts.lamda_R3, omega_n / (1.0 + e).sqrt()),
     ];
-    let mut warnings = Vec::new();
-    if p.damping_ratios.iter().any(|&ratio| ratio > 0.0) {
-        warnings.push(Limitation::StructuralDamping);
-    }
-    let damping = section.relative_aerodynamic_damping();
-    if e <= damping {
-        warnings.push(Limitation::Eccentricity {
-            eccentricity: e,
-            damping,
-        });
-    }
     Ok(ClosedForm {
         eigenvalues,
-        warnings,
+        warnings: warnings(section, &eigenvalues),
     })
+}
+
+/// What speaks against the closed forms where they apply.
+fn warnings(section: &Section, eigenvalues: &[Complex<f64>; 3]) -> Vec<Limitation> {
+    let ratios = &section.parameters().damping_ratios;
+    let is_damped = ratios.iter().any(|&ratio| ratio > 0.0);
+    let eccentricity = section.eccentricity();
+    let size = section.scaled_damping_norm();
+    let damping = section.relative_wind() * size;
+    let second_order = (damping / eccentricity).powi(2);
+    let largest = |number: fn(&Complex<f64>) -> f64| {
+        let numbers = eigenvalues.iter().map(number);
+        numbers.fold(f64::NEG_INFINITY, f64::max)
+    };
+    let coefficient = section.damping_coefficient(largest(|value| value.re));
+    let share = largest(|value| value.re.abs() / value.im);
+    let outside = if eccentricity <= damping {
+        Some(Limitation::Eccentricity {
+            eccentricity,
+            damping,
+        })
+    } else if coefficient.is_some_and(|own| own.abs() <= second_order * size) {
+        Some(Limitation::Sign { second_order })
+    } else {
+        None
+    };
+    let damped = is_damped.then_some(Limitation::StructuralDamping);
+    let strong = (share > STRONG).then_some(Limitation::StrongDamping { damping: share });
+    damped.into_iter().chain(outside).chain(strong).collect()
 }

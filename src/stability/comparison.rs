@@ -18,7 +18,9 @@ use super::coordinate::Coordinate;
 use super::error::StabilityError;
 use super::input::{InputError, Place, Remark};
 use super::interpolation::CoefficientCurves;
+use super::model::Model;
 use super::section::Section;
+use super::state_matrix;
 use super::tracking::Mode;
 
 /// What the methods say of a case, at the angles of its sweep.
@@ -61,9 +63,10 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
     }
     let curves = CoefficientCurves::new(table, case.interpolation);
     let angles = case.angles.values();
+    let section = |angle: f64| section_at(case, table, &curves, angle);
     let answers = |&angle: &f64| -> Result<(f64, Answers), InputError> {
-        let section = section_at(case, table, &curves, angle)?;
-        let answers = Answers::new(&section).map_err(|error| impossible(case, angle, &error))?;
+        let answers =
+            Answers::new(&section(angle)?).map_err(|error| impossible(case, angle, &error))?;
         Ok((angle, answers))
     };
     let mut points = Vec::with_capacity(angles.len());
@@ -77,7 +80,7 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
     }
     let mut remarks = remarks(table);
     remarks.extend(case.remarks());
-    remarks.extend(weakened(case, &points));
+    remarks.extend(weakened(case, &section, &points));
     let corners = curves.corners(&angles);
     if corners > 0 {
         remarks.push(Remark {
@@ -127,7 +130,11 @@ fn impossible(case: &Case, angle: f64, error: &StabilityError) -> InputError {
 }
 
 /// Where structural damping does harm, a remark for each coordinate.
-fn weakened<'a>(case: &'a Case, points: &'a [Point]) -> impl Iterator<Item = Remark> + 'a {
+fn weakened<'a>(
+    case: &'a Case,
+    section_at: &'a impl Fn(f64) -> Result<Section, InputError>,
+    points: &'a [Point],
+) -> impl Iterator<Item = Remark> + 'a {
     let remark = move |&coordinate: &Coordinate| {
         let slope = |point: &Point| {
             let mut found = point.weakened_by.iter();
@@ -137,25 +144,37 @@ fn weakened<'a>(case: &'a Case, points: &'a [Point]) -> impl Iterator<Item = Rem
         };
         let slopes = points
             .iter()
-            .filter_map(|point| Some((slope(point)?, point.angle)));
-        let (steepest, place) =
+            .filter_map(|point| Some((slope(point)?, point)));
+        let (_, steepest) =
             slopes.reduce(|one, other| if other.0 < one.0 { other } else { one })?;
-        let ranges = range::ranges(points, |point| slope(point).is_some());
-        let change = match -steepest / 100.0 {
-            change if change < 0.01 => "less than 0.01".to_string(),
-            change => format!("up to {change:.2}"),
+        let change = with_more_damping(&section_at(steepest.angle).ok()?, coordinate)?
+            - steepest.exact.value;
+        let change = match change.abs() {
+            size if size < 0.01 => "changes it by less than 0.01".to_string(),
+            size if change < 0.0 => format!("lowers it by {size:.2}"),
+            size => format!("raises it by {size:.2}, since only a little lowers it"),
         };
+        let ranges = range::ranges(points, |point| slope(point).is_some());
         Some(Remark {
             place: Place::file(&case.file),
             what: format!(
-                "more structural damping of {0} would lower S, by {change} for each 1 % of zeta_{0} (at {1}°): {2}",
+                "a little more structural damping of {0} lowers S ({1}); where it does so most, at {2}°, 1 % more of zeta_{0} {change}",
                 coordinate.name(),
-                angle(place),
-                listed(&ranges)
+                listed(&ranges),
+                angle(steepest.angle),
             ),
         })
     };
     case.parameters.free.as_slice().iter().filter_map(remark)
+}
+
+/// S with 1 % more structural damping of a coordinate.
+fn with_more_damping(section: &Section, coordinate: Coordinate) -> Option<f64> {
+    let mut parameters = *section.parameters();
+    parameters.damping_ratios[coordinate.index()] += 0.01;
+    let section = Section::new(parameters).ok()?;
+    let spectrum = state_matrix::eigenvalues(&Model::new(&section).ok()?).ok()?;
+    Some(spectrum.damping_coefficient(&section)?.0)
 }
 
 impl Comparison {

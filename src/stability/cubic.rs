@@ -7,7 +7,18 @@ use num_complex::Complex;
 ///
 /// With z = w − c_1/3 it is w³ + 3pw + 2q = 0, and w = u + v, where u³ = −q ± √(q² + p³) and uv = −p. The sign
 /// that does not cancel makes the roots those of a cubic whose coefficients differ by rounding.
-pub(super) fn roots(coefficients: [Complex<f64>; 3]) -> Option<[Complex<f64>; 3]> {
+///
+/// ```
+/// use num_complex::Complex;
+/// use sextic::stability::cubic::roots;
+///
+/// // (z − 1)(z − 2)(z − 3)
+/// let coefficients = [-6.0, 11.0, -6.0].map(|own| Complex::new(own, 0.0));
+/// let mut parts = roots(coefficients).expect("finite coefficients").map(|root| root.re);
+/// parts.sort_by(f64::total_cmp);
+/// assert!(parts.iter().zip([1.0, 2.0, 3.0]).all(|(own, root)| (own - root).abs() < 1e-14));
+/// ```
+pub fn roots(coefficients: [Complex<f64>; 3]) -> Option<[Complex<f64>; 3]> {
     let [c_1, c_2, c_3] = coefficients;
     // No root is larger than twice this.
     let size = c_1.norm().max(c_2.norm().sqrt()).max(c_3.norm().cbrt());

@@ -98,13 +98,17 @@ impl Section {
         }
     }
 
-    /// δ|S_a| with δ = ρ D U/(2 m ω), ω that of the first free coordinate, and the Frobenius norm of S_a:
-    /// how much of itself a motion loses or gains in a radian.
-    pub fn relative_aerodynamic_damping(&self) -> f64 {
+    /// δ = ρ D U/(2 m ω), ω that of the first free coordinate.
+    pub fn relative_wind(&self) -> f64 {
         let p = self.parameters();
         let omega = p.natural_frequencies[self.free()[0].index()];
-        let delta = p.air_density * p.reference_dimension * p.wind_speed / (2.0 * p.mass * omega);
-        delta * self.scaled_damping_norm()
+        p.air_density * p.reference_dimension * p.wind_speed / (2.0 * p.mass * omega)
+    }
+
+    /// δ|S_a| with [δ](Self::relative_wind) and the Frobenius norm of S_a: how much of itself a motion loses or
+    /// gains in a radian.
+    pub fn relative_aerodynamic_damping(&self) -> f64 {
+        self.relative_wind() * self.scaled_damping_norm()
     }
 
     /// |S_a|, the Frobenius norm of [`Section::scaled_damping`].

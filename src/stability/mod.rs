@@ -12,7 +12,7 @@ pub mod companion;
 pub mod comparison;
 pub mod coordinate;
 pub mod critical_speed;
-mod cubic;
+pub mod cubic;
 pub mod eigenvalue;
 mod enclosure;
 pub mod error;

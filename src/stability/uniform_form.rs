@@ -4,13 +4,10 @@ use nalgebra::Matrix3;
 use num_complex::Complex;
 use sextic_evaluators::uniform_cubic::{UniformCubicInputs, uniform_cubic};
 
-use super::closed_form::{ClosedForm, Limitation};
+use super::closed_form::{ClosedForm, Limitation, STRONG};
 use super::cubic;
 use super::modal::Modal;
 use super::model::Model;
-
-/// Damping of a mode above this share of its frequency is not small.
-const STRONG: f64 = 0.1;
 
 /// How much of the damping a uniform form keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

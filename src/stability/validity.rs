@@ -6,12 +6,13 @@ use super::case::Case;
 use super::closed_form::{ClosedForm, Limitation, closed_form};
 use super::coefficient_table::CoefficientTable;
 use super::error::StabilityError;
+use super::exact_modes;
 use super::input::{InputError, Place};
 use super::interpolation::CoefficientCurves;
 use super::model::Model;
 use super::section::{Coefficients, Parameters, Section};
-use super::state_matrix;
 use super::uniform_form::{Order, uniform_form_of};
+use super::verdict::verdict;
 
 /// A form whose errors are looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,7 +66,7 @@ impl Form {
     }
 }
 
-/// How far a form is from the state matrix at some angles.
+/// How far a form is from the exact modes at some angles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Departure {
     /// The largest error of S over |S_a|, the Frobenius norm of the scaled damping matrix (18).
@@ -129,7 +130,7 @@ const WINDS: [f64; 2] = [1e-5, 0.1];
 
 /// The map of a case.
 ///
-/// Some 110,000 eigenvalue problems of 6×6, on all cores.
+/// Some 110,000 sections by all methods, on all cores.
 ///
 /// # Errors
 ///
@@ -193,8 +194,8 @@ impl Validity {
             places.map(move |e| (*e, wind * self.strength))
         });
         let ratios = places.zip(&self.cells).filter_map(|((e, damping), cell)| {
-            let order = form.order(e, damping);
-            (order <= 1.0).then(|| cell[form as usize].error / order)
+            let (order, error) = (form.order(e, damping), cell[form as usize].error);
+            (order <= 1.0 && error > ROUNDING).then(|| error / order)
         });
         ratios.fold(0.0, f64::max)
     }
@@ -289,37 +290,68 @@ impl Sections {
     }
 
     fn departures(&self) -> Result<Departures, StabilityError> {
-        let mut found: Departures = [None; 3];
-        for &(angle, parameters) in &self.sections {
-            let section = Section::new(parameters)?;
-            let model = Model::new(&section)?;
-            let exact = state_matrix::eigenvalues(&model)?.damping_coefficient(&section);
-            let (exact, bound) = exact.ok_or(StabilityError::OutOfRange)?;
-            for form in Form::ALL {
-                let value = form.of(&model).ok();
-                let value =
-                    value.and_then(|own| section.damping_coefficient(own.largest_real_part()));
-                let Some(value) = value else {
-                    continue;
-                };
-                let error = (value - exact).abs() / section.scaled_damping_norm();
-                let is_wrong = exact.abs() > bound && (value < 0.0) != (exact < 0.0);
-                let own = found[form as usize].get_or_insert(Departure {
+        let sections = self.sections.par_iter();
+        let shifts = sections.map(|&(angle, parameters)| Ok((angle, shifts(parameters)?)));
+        let shifts: Vec<(f64, Shifts)> = shifts.collect::<Result<_, StabilityError>>()?;
+        Ok(Form::ALL.map(|form| {
+            let own = |(angle, shifts): &(f64, Shifts)| Some((*angle, shifts[form as usize]?));
+            let all = shifts.iter().filter_map(own);
+            all.fold(None, |found, (angle, shift)| {
+                let found = found.unwrap_or(Departure {
                     error: 0.0,
                     angle,
                     wrong_signs: 0,
                     answers: 0,
                 });
-                own.answers += 1;
-                own.wrong_signs += usize::from(is_wrong);
-                if error > own.error {
-                    (own.error, own.angle) = (error, angle);
-                }
-            }
-        }
-        Ok(found)
+                let is_larger = shift.error > found.error;
+                Some(Departure {
+                    error: found.error.max(shift.error),
+                    angle: if is_larger { angle } else { found.angle },
+                    wrong_signs: found.wrong_signs + usize::from(shift.is_wrong),
+                    answers: found.answers + 1,
+                })
+            })
+        }))
     }
 }
+
+/// The error of S over |S_a|, and whether its sign is wrong for certain.
+#[derive(Clone, Copy)]
+struct Shift {
+    error: f64,
+    is_wrong: bool,
+}
+
+/// Those of all forms; `None` where one has no answer.
+type Shifts = [Option<Shift>; 3];
+
+/// What the forms make of a section, beside its exact modes and a certain verdict.
+fn shifts(parameters: Parameters) -> Result<Shifts, StabilityError> {
+    let section = Section::new(parameters)?;
+    let model = Model::new(&section)?;
+    let spectrum = exact_modes::eigenvalues(&model)?.spectrum;
+    let exact = spectrum.damping_coefficient(&section);
+    let (exact, bound) = exact.ok_or(StabilityError::OutOfRange)?;
+    let size = section.scaled_damping_norm();
+    if bound > LARGEST_BOUND * size {
+        return Err(StabilityError::OutOfRange);
+    }
+    let verdict = verdict(&section, &spectrum);
+    Ok(Form::ALL.map(|form| {
+        let value = form.of(&model).ok()?.largest_real_part();
+        let value = section.damping_coefficient(value)?;
+        Some(Shift {
+            error: (value - exact).abs() / size,
+            is_wrong: verdict.refutes(value, ROUNDING * size),
+        })
+    }))
+}
+
+/// S must be known to this share of |S_a|.
+const LARGEST_BOUND: f64 = 1e-3;
+
+/// Less than this share of |S_a| is rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// L_g = e r, below r whatever the rounding.
 fn distance(eccentricity: f64, radius_of_gyration: f64) -> f64 {
@@ -342,7 +374,7 @@ fn around([least, largest]: [f64; 2], number: f64) -> [f64; 2] {
 
 /// Numbers from one to another, in even steps of their logarithm.
 fn logarithmic([first, last]: [f64; 2], count: usize) -> Vec<f64> {
-    let step = (last / first).ln() / (count - 1) as f64;
+    let step = (last.ln() - first.ln()) / (count - 1) as f64;
     (0..count)
         .map(|place| (first * (step * place as f64).exp()).min(last))
         .collect()

@@ -45,6 +45,16 @@ pub enum Doubt {
 }
 
 impl Verdict {
+    /// Whether an S within its error is certainly wrong: above 0 though unstable, or below 0 though stable or
+    /// neutral.
+    pub fn refutes(self, damping_coefficient: f64, error: f64) -> bool {
+        match self {
+            Verdict::Unstable(_) => damping_coefficient > error,
+            Verdict::Stable(_) | Verdict::Undecided(Doubt::Neutral) => damping_coefficient < -error,
+            Verdict::Undecided(_) => false,
+        }
+    }
+
     /// `stable`, `unstable` or `undecided`.
     pub fn name(self) -> &'static str {
         match self {

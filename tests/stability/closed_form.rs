@@ -73,6 +73,7 @@ fn limitations_are_named() {
     let damped = Parameters {
         damping_ratios: [0.0, 0.01, 0.0],
         mass_centre_distance: 0.0,
+        wind_speed: 0.1,
         ..tuned
     };
     let warnings = closed_form(model(damped).section())
@@ -87,4 +88,44 @@ fn limitations_are_named() {
         }
     ));
     assert_eq!(warnings.len(), 2);
+    let hasty = Parameters {
+        mass_centre_distance: (1.0 - 1e-9) * tuned.radius_of_gyration,
+        ..tuned
+    };
+    let warnings = closed_form(model(hasty).section())
+        .expect("it applies")
+        .warnings;
+    let is_strong = |own: &Limitation| matches!(own, Limitation::StrongDamping { .. });
+    assert!(warnings.iter().any(is_strong), "{warnings:?}");
+}
+
+/// Warnings are many enough: without one the sign is right; and not too many.
+#[test]
+fn without_a_warning_the_sign_is_right() {
+    let mut numbers = Numbers::new(8);
+    let (mut silent, mut wrong) = (0, 0);
+    for _ in 0..100_000 {
+        let usual = tuned(&mut numbers);
+        let speed = 2.0 * usual.mass * usual.natural_frequencies[0]
+            / (usual.air_density * usual.reference_dimension);
+        let model = model(Parameters {
+            mass_centre_distance: numbers.scale(1e-4, 0.999) * usual.radius_of_gyration,
+            wind_speed: numbers.scale(1e-5, 0.03) * speed,
+            damping_ratios: [0.0; 3],
+            ..usual
+        });
+        let exact = state_matrix::eigenvalues(&model).expect("eigenvalues");
+        let (exact, bound) = exact.largest_real_part();
+        let form = closed_form(model.section()).expect("it applies");
+        let is_wrong = exact.abs() > bound && (form.largest_real_part() > 0.0) != (exact > 0.0);
+        if form.warnings.is_empty() {
+            assert!(!is_wrong, "{:?}", model.section());
+            silent += 1;
+        }
+        wrong += usize::from(is_wrong);
+    }
+    assert!(
+        silent > 40_000 && wrong > 5_000,
+        "{silent} silent, {wrong} wrong"
+    );
 }

@@ -74,7 +74,7 @@ fn places_of_the_map_are_the_cases_that_they_stand_for() {
                 let own = cell[form as usize];
                 let expected = departure(&comparison, &table, estimate);
                 // L_g and U are rounded otherwise.
-                let rounding = 1e-9 * expected.error + 1e-13;
+                let rounding = 1e-8 * expected.error + 1e-13 / wind;
                 assert!(
                     (own.error - expected.error).abs() <= rounding,
                     "{name} {form:?} {e} {wind}: {own:?} {expected:?}"

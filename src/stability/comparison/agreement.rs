@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::point::{Point, Value};
 use super::range::{AngleRange, ranges};
-use crate::stability::closed_form::Limitation;
+use crate::stability::closed_form::{Estimate, Limitation};
 
 /// A method other than the state matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,7 +51,7 @@ pub enum Reason {
     },
     /// The damping is not small beside the frequencies.
     StrongDamping {
-        /// The largest |B|/(2ν) where they differ.
+        /// The largest share of a frequency where they differ.
         damping: f64,
     },
     /// None of these: what is of third order in the damping is left out.
@@ -92,8 +92,8 @@ impl fmt::Display for Reason {
             ),
             Reason::StrongDamping { damping } => write!(
                 formatter,
-                "the damping is up to {damping:.2} of the lowest frequency: the uniform form leaves out what is of \
-                 the third order in it"
+                "the damping is not small: it is up to {damping:.2} of a frequency, and the form leaves out higher \
+                 orders of it"
             ),
             Reason::ThirdOrder => write!(
                 formatter,
@@ -121,7 +121,7 @@ pub struct Agreement {
     pub largest_error: Option<f64>,
     /// Where it differs by more than the errors of both and 1 % of the largest |S|.
     pub differs: Vec<AngleRange>,
-    /// Where it calls stable what is unstable for certain, or the reverse.
+    /// Where it calls stable what is unstable for certain, or unstable what is not.
     pub opposite: Vec<AngleRange>,
     /// Why it differs or has no answer, in the order in which one should look.
     pub reasons: Vec<Reason>,
@@ -136,17 +136,20 @@ const ILL_CONDITIONED: f64 = 1e-6;
 /// How the other methods agree with the state matrix.
 pub(super) fn agreements(points: &[Point]) -> Vec<Agreement> {
     // The forms have no bound of their rounding; it is far below what they leave out.
-    let rounded = |value: f64| Value {
-        value,
-        error: 1e-12 * value.abs(),
+    let rounded = |point: &Point, estimate: &Estimate| {
+        let value = estimate.value?;
+        Some(Value {
+            value,
+            error: 1e-12 * (value.abs() + point.scaled_damping),
+        })
     };
     vec![
         agreement(points, Method::Companion, |point| point.companion),
         agreement(points, Method::Closed, |point| {
-            point.closed.value.map(rounded)
+            rounded(point, &point.closed)
         }),
         agreement(points, Method::Uniform, |point| {
-            point.uniform.value.map(rounded)
+            rounded(point, &point.uniform)
         }),
     ]
 }
@@ -165,12 +168,7 @@ fn agreement(
         both.is_some_and(|(difference, errors)| difference > errors + NOTABLE * size)
     };
     let is_opposite = |point: &Point| {
-        answer(point).is_some_and(|other| {
-            let own = point.exact;
-            own.value.abs() > own.error
-                && other.value.abs() > other.error
-                && (own.value < 0.0) != (other.value < 0.0)
-        })
+        answer(point).is_some_and(|own| point.verdict.refutes(own.value, own.error))
     };
     let answers = points
         .iter()
@@ -261,9 +259,16 @@ fn closed_reasons(wrong: &[&Point]) -> Vec<Reason> {
         eccentricity,
         damping,
     }));
+    let strong = all().filter_map(|own| match own {
+        Limitation::StrongDamping { damping } => Some(*damping),
+        _ => None,
+    });
+    let strong = strong.reduce(f64::max);
+    reasons.extend(strong.map(|damping| Reason::StrongDamping { damping }));
+    let is_of_second_order = |own: &Limitation| matches!(own, Limitation::Sign { .. });
     let unexplained = wrong
         .iter()
-        .filter(|point| point.closed.limitations.is_empty());
+        .filter(|point| point.closed.limitations.iter().all(is_of_second_order));
     let orders = unexplained.map(|point| point.second_order);
     let second_order = orders.reduce(f64::max);
     reasons.extend(second_order.map(|second_order| Reason::FirstOrder { second_order }));

@@ -52,6 +52,8 @@ pub struct Point {
     pub uniform: Estimate,
     /// The coordinates whose structural damping lowers S as it grows, with ∂S/∂ζ.
     pub weakened_by: Vec<(Coordinate, f64)>,
+    /// |S_a|, the size of all S.
+    pub scaled_damping: f64,
     /// (δ|S_a|/e)², the order of what the closed forms leave out.
     pub second_order: f64,
     /// The modes in the order of their numbers.
@@ -82,6 +84,7 @@ pub(in crate::stability) struct Answers {
     closed: Estimate,
     uniform: Estimate,
     weakened_by: Vec<(Coordinate, f64)>,
+    scaled_damping: f64,
     second_order: f64,
     modes: Vec<(Mode, Value)>,
 }
@@ -99,7 +102,8 @@ impl Answers {
         let companion = companion::eigenvalues(&model).ok();
         let closed = Estimate::new(section, closed_form(section));
         let uniform = Estimate::new(section, uniform_form(&model));
-        let ratio = section.relative_aerodynamic_damping() / section.eccentricity();
+        let scaled_damping = section.scaled_damping_norm();
+        let ratio = section.relative_wind() * scaled_damping / section.eccentricity();
         Ok(Answers {
             exact,
             verdict: verdict(section, &spectrum),
@@ -107,6 +111,7 @@ impl Answers {
             closed,
             uniform,
             weakened_by: weakened_by(&model, &spectrum),
+            scaled_damping,
             second_order: ratio * ratio,
             modes: modes_of(&model, &spectrum),
             model,
@@ -124,6 +129,7 @@ impl Answers {
             closed: self.closed,
             uniform: self.uniform,
             weakened_by: self.weakened_by,
+            scaled_damping: self.scaled_damping,
             second_order: self.second_order,
         }
     }
