@@ -93,6 +93,7 @@ fn section(random: &mut Random, delta: (f64, f64)) -> Section {
             moment_slope: random.between(-2.0, 2.0),
         }),
         free: FreeCoordinates::all(),
+        aerodynamic_stiffness: false,
     };
     let forces = Section::new(parameters).unwrap().scaled_damping();
     let forces = Forces::ScaledDamping(forces);

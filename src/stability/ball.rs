@@ -74,6 +74,17 @@ impl Ball {
     }
 }
 
+/// A number that is rounded, or a sine: right to a unit in the last place.
+pub(super) fn rounded(value: f64) -> Ball {
+    Ball::real(value, f64::EPSILON * value.abs())
+}
+
+/// A quotient of two numbers, which may underflow.
+pub(super) fn quotient(above: f64, below: f64) -> Ball {
+    let value = above / below;
+    Ball::real(value, f64::EPSILON * value.abs() + f64::MIN_POSITIVE)
+}
+
 /// |re| + |im|, which is not below the absolute value, nor much above it: most numbers here are nearly real
 /// or imaginary, and the exact value would cost most of the time.
 fn above_norm(number: Complex<f64>) -> f64 {

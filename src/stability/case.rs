@@ -139,6 +139,7 @@ impl Case {
                 wind_angle: 0.0,
                 attitude: 0.0,
                 forces: Forces::default(),
+                aerodynamic_stiffness: read.wind.aerodynamic_stiffness,
                 ..read.structure.parameters(file, &lines)?
             },
             coefficients: section.coefficients,

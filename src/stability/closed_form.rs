@@ -19,6 +19,8 @@ pub enum Limitation {
     NotTuned,
     /// There is structural damping, which they leave out.
     StructuralDamping,
+    /// There is aerodynamic stiffness, which the form leaves out.
+    AerodynamicStiffness,
     /// e ≤ δ|S|: the modes are separated by less than they are damped, and even the sign may be wrong.
     Eccentricity {
         /// e = L_g/r.
@@ -42,13 +44,14 @@ pub enum Limitation {
 }
 
 impl Limitation {
-    /// In a word, as in tables: `held`, `detuned`, `damped`, `eccentricity`, `strong` or
+    /// In a word, as in tables: `held`, `detuned`, `damped`, `stiffness`, `eccentricity`, `strong` or
     /// `no-roots`.
     pub fn name(&self) -> &'static str {
         match self {
             Limitation::NotAllFree => "held",
             Limitation::NotTuned => "detuned",
             Limitation::StructuralDamping => "damped",
+            Limitation::AerodynamicStiffness => "stiffness",
             Limitation::Eccentricity { .. } => "eccentricity",
             Limitation::Sign { .. } => "sign",
             Limitation::StrongDamping { .. } => "strong",
@@ -71,6 +74,12 @@ impl fmt::Display for Limitation {
                 write!(
                     formatter,
                     "the closed form leaves the structural damping out"
+                )
+            }
+            Limitation::AerodynamicStiffness => {
+                write!(
+                    formatter,
+                    "aerodynamic stiffness is on, and this form leaves it out"
                 )
             }
             Limitation::Eccentricity {
@@ -214,6 +223,9 @@ fn warnings(section: &Section, eigenvalues: &[Complex<f64>; 3]) -> Vec<Limitatio
         None
     };
     let damped = is_damped.then_some(Limitation::StructuralDamping);
+    let is_stiffened = section.parameters().aerodynamic_stiffness;
+    let stiffened = is_stiffened.then_some(Limitation::AerodynamicStiffness);
     let strong = (share > STRONG).then_some(Limitation::StrongDamping { damping: share });
-    damped.into_iter().chain(outside).chain(strong).collect()
+    let left_out = damped.into_iter().chain(stiffened);
+    left_out.chain(outside).chain(strong).collect()
 }

@@ -18,9 +18,10 @@ use super::schur::approximate_eigenvalues;
 
 /// The eigenvalues as roots of the characteristic polynomial, Eq. (19), by its companion matrix.
 ///
-/// With all coordinates free and force coefficients given, those of the polynomial come from the generated
-/// evaluator, otherwise from the determinant of λ²M + λ(C_s + C_a) + K. Their rounding moves roots that lie δ apart by about
-/// ε/δ² and more, relatively; the errors that are given count that.
+/// With all coordinates free, force coefficients given and no aerodynamic stiffness, those of the polynomial
+/// come from the generated evaluator, otherwise from the determinant of λ²M + λ(C_s + C_a) + K + K_a. Their
+/// rounding moves roots that lie δ apart by about ε/δ² and more, relatively; the errors that are given count
+/// that.
 ///
 /// At most 8 Schur decompositions of at most 200 iterations, and as many times 36 Taylor expansions.
 ///
@@ -72,7 +73,7 @@ fn coefficients(model: &Model) -> [Ball; 7] {
     let Forces::Coefficients(c) = p.forces else {
         return model.taylor(Ball::ZERO);
     };
-    if !p.free.are_all() {
+    if !p.free.are_all() || p.aerodynamic_stiffness {
         return model.taylor(Ball::ZERO);
     }
     let unit = model.frequency_unit;

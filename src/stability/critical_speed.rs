@@ -23,18 +23,21 @@ use super::interpolation::CoefficientCurves;
 pub enum Stability {
     /// All eigenvalues have negative real parts.
     Stable,
-    /// An eigenvalue has a positive real part.
+    /// An eigenvalue has a positive real part: the section gallops.
     Unstable,
-    /// Neither is shown.
+    /// A real eigenvalue is above 0: static divergence, whether the section gallops beside it or not.
+    Divergent,
+    /// None of these is shown.
     Undecided,
 }
 
 impl Stability {
-    /// `stable`, `unstable` or `undecided`.
+    /// `stable`, `unstable`, `divergent` or `undecided`.
     pub fn name(self) -> &'static str {
         match self {
             Stability::Stable => "stable",
             Stability::Unstable => "unstable",
+            Stability::Divergent => "divergent",
             Stability::Undecided => "undecided",
         }
     }
@@ -51,7 +54,8 @@ pub struct SpeedRange {
     pub stability: Stability,
 }
 
-/// A wind speed at which stability changes: a simple root of Hurwitz' last determinant but one.
+/// A wind speed at which stability changes: a simple root of Hurwitz' last determinant but one, or of the
+/// determinant of the stiffness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CriticalSpeed {
     /// The speed, in m/s.
@@ -65,7 +69,7 @@ pub struct CriticalSpeed {
 /// The wind speeds above 0 up to a highest one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Speeds {
-    /// Ranges in order. Between two of them that are stable and unstable there is one critical speed.
+    /// Ranges in order. Between two that are decided and differ there is one critical speed.
     pub ranges: Vec<SpeedRange>,
     /// Whether a motion neither grows nor dies out at any speed, exactly: then nothing is stable.
     pub is_neutral: bool,
@@ -102,6 +106,9 @@ const MOST_PRODUCTS: u64 = 1_000_000;
 /// imaginary (Orlando), is monotonous and the earlier ones are above 0; else it is undecided. Speeds below
 /// the smallest part are not told from 0.
 ///
+/// Likewise with the constant coefficient, the determinant of the stiffness, which aerodynamic stiffness may
+/// make negative: then an odd number of real roots is above 0, and where it vanishes one of them passes 0.
+///
 /// Without a highest speed above 0 there are no ranges. Bounded: at most 20,000 ranges are looked at.
 pub fn speeds(section: &ExactSection, highest: f64) -> Speeds {
     let unit = Rational::try_from(highest).unwrap_or_default();
@@ -120,13 +127,17 @@ pub fn speeds(section: &ExactSection, highest: f64) -> Speeds {
         is_neutral: false,
     };
     let sums = TrigonometricSums::new(Budget::new(MOST_PRODUCTS));
-    let Ok((polynomial, is_neutral)) = without_neutral_pairs(section, &unit, &sums) else {
+    let Ok(polynomial) = section.characteristic_polynomial(&unit, &sums) else {
+        return undecided;
+    };
+    let stiffness = polynomial.first().cloned().unwrap_or_default();
+    let Ok((polynomial, is_neutral)) = without_neutral_pairs(section, polynomial, &sums) else {
         return undecided;
     };
     let mut found = undecided;
     for bits in DIGITS {
         let intervals = Intervals::new(bits);
-        let mut ranges = ranges(&polynomial, &intervals, highest);
+        let mut ranges = ranges(&polynomial, &stiffness, &intervals, highest);
         if is_neutral {
             let stable = |own: &&mut SpeedRange| own.stability == Stability::Stable;
             ranges
@@ -145,16 +156,15 @@ pub fn speeds(section: &ExactSection, highest: f64) -> Speeds {
     found
 }
 
-/// The characteristic polynomial in powers of λ and of U over `unit`, divided by λ² + ω² as often as a
+/// The characteristic polynomial in powers of λ and of the speed, divided by λ² + ω² as often as a
 /// natural frequency ω allows, and whether one did.
 fn without_neutral_pairs(
     section: &ExactSection,
-    unit: &Rational,
+    mut polynomial: Vec<InSpeed>,
     sums: &TrigonometricSums,
 ) -> Result<(Vec<InSpeed>, bool), Exhausted> {
     let in_speed = Univariate(sums);
     let in_lambda = Univariate(&in_speed);
-    let mut polynomial = section.characteristic_polynomial(unit, sums)?;
     let mut is_neutral = false;
     for pair in section.natural_pairs() {
         let powers = [&pair[0], &sums.zero(), &pair[1]];
@@ -169,36 +179,92 @@ fn without_neutral_pairs(
     Ok((polynomial, is_neutral))
 }
 
-/// Ranges by the determinants H_1 to H_{n−1} of a polynomial of degree n; H_n has the sign of H_{n−1}, since
-/// the constant coefficient is the determinant of the stiffness.
-fn ranges(polynomial: &[InSpeed], intervals: &Intervals, highest: f64) -> Vec<SpeedRange> {
+/// Ranges by the determinants H_1 to H_{n−1} of a polynomial of degree n, and the determinant of the stiffness,
+/// which has the sign of the constant coefficient: H_n has the sign of its product with H_{n−1}.
+fn ranges(
+    polynomial: &[InSpeed],
+    stiffness: &InSpeed,
+    intervals: &Intervals,
+    highest: f64,
+) -> Vec<SpeedRange> {
     let in_speed = Univariate(intervals);
-    let enclosed: Vec<Vec<Interval>> = polynomial
-        .iter()
-        .map(|powers| {
-            in_speed.polynomial(powers.iter().map(|own| intervals.enclosure(own)).collect())
-        })
-        .collect();
-    let Ok(mut determinants) = hurwitz_determinants(&enclosed, &in_speed);
-    determinants.pop();
-    let forms: Vec<Bernstein> = determinants
-        .iter()
-        .map(|own| Bernstein::new(own, intervals))
-        .collect();
-    let mut search = Search {
-        places: Vec::new(),
-        boxes: 0,
+    let enclosed = |powers: &InSpeed| -> Vec<Interval> {
+        in_speed.polynomial(powers.iter().map(|own| intervals.enclosure(own)).collect())
     };
-    // Where one vanishes at all speeds nothing can be isolated.
+    let coefficients: Vec<Vec<Interval>> = polynomial.iter().map(enclosed).collect();
+    let Ok(mut determinants) = hurwitz_determinants(&coefficients, &in_speed);
+    determinants.pop();
+    let forms = Forms {
+        stiffness: Bernstein::new(&enclosed(stiffness), intervals),
+        determinants: determinants
+            .iter()
+            .map(|own| Bernstein::new(own, intervals))
+            .collect(),
+    };
     let vanishes = |own: &Vec<Interval>| {
         let unknown = |own: &Interval| matches!(own.sign(), KnownSign::Zero | KnownSign::Unknown);
         own.iter().all(unknown)
     };
-    if determinants.last().is_some_and(vanishes) {
-        search.boxes = MOST_BOXES;
-    }
+    let mut search = Search {
+        places: Vec::new(),
+        boxes: 0,
+        is_any_vanishing: determinants.last().is_some_and(vanishes),
+    };
     search.look(&forms, Integer::ZERO, 0);
     search.ranges(highest)
+}
+
+/// What decides stability, as polynomials on a range of speeds.
+struct Forms {
+    /// The determinant of the stiffness.
+    stiffness: Bernstein,
+    /// H_1 to H_{n−1}.
+    determinants: Vec<Bernstein>,
+}
+
+impl Forms {
+    fn halves(&self) -> (Self, Self) {
+        let (lower, upper) = self.stiffness.halves();
+        let (below, above) = self.determinants.iter().map(Bernstein::halves).unzip();
+        let forms = |stiffness, determinants| Forms {
+            stiffness,
+            determinants,
+        };
+        (forms(lower, below), forms(upper, above))
+    }
+
+    /// What is certain on the whole range but for divergence.
+    fn by_determinants(&self) -> Stability {
+        let signs: Vec<KnownSign> = self.determinants.iter().map(Bernstein::sign).collect();
+        if signs.contains(&KnownSign::Negative) {
+            Stability::Unstable
+        } else if signs.iter().all(|own| *own == KnownSign::Positive) {
+            Stability::Stable
+        } else {
+            Stability::Undecided
+        }
+    }
+
+    /// The one change that a range may hold on which not all is certain: what is below and what is above it.
+    fn change(&self) -> Option<[Stability; 2]> {
+        let (form, [negative, positive]) = match (self.stiffness.sign(), self.by_determinants()) {
+            (KnownSign::Positive, Stability::Undecided) => {
+                let (last, earlier) = self.determinants.split_last()?;
+                let is_positive = |own: &Bernstein| own.sign() == KnownSign::Positive;
+                if !earlier.iter().all(is_positive) {
+                    return None;
+                }
+                (last, [Stability::Unstable, Stability::Stable])
+            }
+            (_, Stability::Undecided) => return None,
+            (_, decided) => (&self.stiffness, [Stability::Divergent, decided]),
+        };
+        match form.slope_sign() {
+            KnownSign::Positive => Some([negative, positive]),
+            KnownSign::Negative => Some([positive, negative]),
+            _ => None,
+        }
+    }
 }
 
 /// The smallest part of the highest speed is 2 to the power of minus this.
@@ -217,41 +283,34 @@ struct PlaceRange {
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Found {
     Certain(Stability),
-    /// At most one root of the last determinant, the earlier ones being positive.
-    OneRoot {
-        is_rising: bool,
-    },
+    /// At most one change, from the one to the other.
+    Change([Stability; 2]),
 }
 
 struct Search {
     places: Vec<PlaceRange>,
     boxes: usize,
+    /// Whether a determinant vanishes at all speeds: then nothing can be isolated but divergence.
+    is_any_vanishing: bool,
 }
 
 impl Search {
     /// Looks at the speeds from `place`/2^depth to one more.
-    fn look(&mut self, forms: &[Bernstein], place: Integer, depth: usize) {
-        let signs: Vec<KnownSign> = forms.iter().map(Bernstein::sign).collect();
-        let is = |sign: KnownSign| move |own: &KnownSign| *own == sign;
-        let found = if signs.iter().all(is(KnownSign::Positive)) {
-            Found::Certain(Stability::Stable)
-        } else if signs.iter().any(is(KnownSign::Negative)) {
-            Found::Certain(Stability::Unstable)
+    fn look(&mut self, forms: &Forms, place: Integer, depth: usize) {
+        let certain = match (forms.stiffness.sign(), forms.by_determinants()) {
+            (KnownSign::Negative, _) => Some(Stability::Divergent),
+            (KnownSign::Positive, Stability::Undecided) if !self.is_any_vanishing => None,
+            (KnownSign::Positive, decided) => Some(decided),
+            _ => None,
+        };
+        let found = if let Some(stability) = certain {
+            Found::Certain(stability)
         } else if depth == DEPTH || self.boxes >= MOST_BOXES {
-            let slope = forms.last().map(Bernstein::slope_sign);
-            let are_others_positive = signs.iter().rev().skip(1).all(is(KnownSign::Positive));
-            match slope {
-                Some(KnownSign::Positive) if are_others_positive => {
-                    Found::OneRoot { is_rising: true }
-                }
-                Some(KnownSign::Negative) if are_others_positive => {
-                    Found::OneRoot { is_rising: false }
-                }
-                _ => Found::Certain(Stability::Undecided),
-            }
+            let undecided = Found::Certain(Stability::Undecided);
+            forms.change().map_or(undecided, Found::Change)
         } else {
             self.boxes += 1;
-            let (lower, upper): (Vec<_>, Vec<_>) = forms.iter().map(Bernstein::halves).unzip();
+            let (lower, upper) = forms.halves();
             let place = place << 1;
             self.look(&lower, place.clone(), depth + 1);
             self.look(&upper, place + Integer::ONE, depth + 1);
@@ -265,7 +324,7 @@ impl Search {
         }
     }
 
-    /// The ranges in m/s; what holds one root between a stable and an unstable one is left out.
+    /// The ranges in m/s; what holds the one change between its neighbours is left out.
     fn ranges(&self, highest: f64) -> Vec<SpeedRange> {
         let certain = |place: Option<&PlaceRange>| match place.map(|own| own.found) {
             Some(Found::Certain(stability)) => Some(stability),
@@ -278,11 +337,7 @@ impl Search {
                 .and_then(|index| self.places.get(index));
             let stability = match own.found {
                 Found::Certain(stability) => stability,
-                Found::OneRoot { is_rising } => {
-                    let (low, high) = match is_rising {
-                        true => (Stability::Unstable, Stability::Stable),
-                        false => (Stability::Stable, Stability::Unstable),
-                    };
+                Found::Change([low, high]) => {
                     let after = certain(self.places.get(index + 1));
                     if certain(before) == Some(low) && after == Some(high) {
                         continue;

@@ -16,6 +16,8 @@ pub enum StabilityError {
     },
     /// No coordinate is free.
     NothingIsFree,
+    /// Aerodynamic stiffness is asked for, and S_a is given in place of the coefficients it follows from.
+    StiffnessWithoutCoefficients,
     /// The parameters are finite, but the matrices made of them are not.
     OutOfRange,
     /// No remedy gave eigenvalues whose error is bounded.
@@ -36,6 +38,11 @@ impl fmt::Display for StabilityError {
             StabilityError::NothingIsFree => write!(
                 formatter,
                 "no coordinate is free: name at least one of x, y, theta"
+            ),
+            StabilityError::StiffnessWithoutCoefficients => write!(
+                formatter,
+                "aerodynamic stiffness does not follow from the scaled damping matrix: give force coefficients and \
+                 their derivatives, or leave the stiffness out"
             ),
             StabilityError::OutOfRange => write!(
                 formatter,

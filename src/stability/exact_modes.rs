@@ -29,6 +29,8 @@ pub struct ExactModes {
 pub enum Fallback {
     /// A coordinate is held: the polynomial is not of degree 6.
     Held,
+    /// There is aerodynamic stiffness, which the iteration does not count.
+    AerodynamicStiffness,
     /// The iteration gave no radius.
     NoRadius,
 }
@@ -37,6 +39,9 @@ impl fmt::Display for Fallback {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match self {
             Fallback::Held => "a coordinate is held: these are the eigenvalues of the state matrix",
+            Fallback::AerodynamicStiffness => {
+                "the iteration leaves aerodynamic stiffness out: these are the eigenvalues of the state matrix"
+            }
             Fallback::NoRadius => {
                 "the polynomial gave no roots of certain accuracy (modes that coincide, do not oscillate, or are beyond all scales): these are the eigenvalues of the state matrix"
             }
@@ -56,8 +61,8 @@ impl fmt::Display for Fallback {
 ///
 /// # Errors
 ///
-/// Those of the [state matrix](state_matrix::eigenvalues), which stands in where a coordinate is held or the
-/// iteration has no radius; that is told as [`Fallback`].
+/// Those of the [state matrix](state_matrix::eigenvalues), which stands in where a coordinate is held, with
+/// aerodynamic stiffness, or where the iteration has no radius; that is told as [`Fallback`].
 pub fn eigenvalues(model: &Model) -> Result<ExactModes, StabilityError> {
     let (fallback, spectrum) = match iterated(model) {
         Ok(spectrum) => (None, spectrum),
@@ -69,6 +74,9 @@ pub fn eigenvalues(model: &Model) -> Result<ExactModes, StabilityError> {
 fn iterated(model: &Model) -> Result<Spectrum, Fallback> {
     if !model.section().parameters().free.are_all() {
         return Err(Fallback::Held);
+    }
+    if model.section().parameters().aerodynamic_stiffness {
+        return Err(Fallback::AerodynamicStiffness);
     }
     let modes = exact_modes(&inputs(model.section()));
     if !modes.radius.iter().all(|radius| radius.is_finite()) {

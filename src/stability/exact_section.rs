@@ -81,7 +81,7 @@ impl ExactSection {
         free.map(pair).collect()
     }
 
-    /// |λ²M + λ(C_s + C_a) + K| over powers of m and r, in powers of λ over
+    /// |λ²M + λ(C_s + C_a) + K + K_a| over powers of m and r, in powers of λ over
     /// [the unit](Self::frequency_unit); each coefficient in powers of U over `speed_unit`.
     ///
     /// The matrices are those of [`Model`](super::model::Model), with S_a by Eq. (18).
@@ -100,6 +100,8 @@ impl ExactSection {
         let two = Rational::from(2);
         let wind = &p.air_density * &p.reference_dimension * speed_unit / (&two * &p.mass * &unit);
         let scaled_damping = self.scaled_damping(sums)?;
+        let turn_stiffness = self.turn_stiffness(sums)?;
+        let pressure = &wind * speed_unit / (&p.radius_of_gyration * &unit);
         let eccentricity = &p.mass_centre_distance / &p.radius_of_gyration;
         let angle = &p.mass_centre_angle + &p.attitude;
         let coupling = [Sum::sine(&angle), Sum::cosine(&angle)];
@@ -121,8 +123,13 @@ impl ExactSection {
             };
             let structural = own(&two * &omega[i] * &p.damping_ratios[i]);
             let damping = vec![structural, scaled_damping[i][j].scaled(&wind)];
+            let aerodynamic = match j {
+                2 => turn_stiffness[i].scaled(&pressure),
+                _ => Sum::default(),
+            };
+            let stiffness = vec![own(&omega[i] * &omega[i]), Sum::default(), aerodynamic];
             in_lambda.polynomial(vec![
-                constant(own(&omega[i] * &omega[i])),
+                in_speed.polynomial(stiffness),
                 in_speed.polynomial(damping),
                 constant(mass),
             ])
@@ -132,6 +139,27 @@ impl ExactSection {
             entry(free[row].index(), free[column].index())
         });
         determinant(&matrix, &in_lambda)
+    }
+
+    /// The column of θ of K_a over ρDU²/2, as [`Model`](super::model::Model) has it: for x, y and rθ.
+    fn turn_stiffness(&self, sums: &TrigonometricSums) -> Result<[Sum; 3], Exhausted> {
+        let p = &self.0;
+        let (Forces::Coefficients(c), true) = (&p.forces, p.aerodynamic_stiffness) else {
+            return Ok(Default::default());
+        };
+        let (cos, sin) = (Sum::cosine(&p.wind_angle), Sum::sine(&p.wind_angle));
+        let kappa = &p.reference_dimension / &p.radius_of_gyration;
+        let minus = |slope: &Rational| -slope.clone();
+        let along = [cos.scaled(&minus(&c.drag_slope)), sin.scaled(&c.lift_slope)];
+        let across = [
+            sin.scaled(&minus(&c.drag_slope)),
+            cos.scaled(&minus(&c.lift_slope)),
+        ];
+        Ok([
+            sums.sum(&along[0], &along[1])?,
+            sums.sum(&across[0], &across[1])?,
+            Sum::from(kappa * minus(&c.moment_slope)),
+        ])
     }
 
     /// S_a, for the coordinates x, y and rθ.
@@ -243,9 +271,9 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Eq. (18) is that of the evaluator that is proven.
+        /// Eq. (18) is that of the evaluator that is proven, and the stiffness lies within its bounds.
         #[test]
-        fn the_scaled_damping_is_that_of_the_evaluator(
+        fn the_forces_are_those_of_the_doubles(
             c in prop::array::uniform6(-3.0..3.0f64),
             angles in prop::array::uniform3(-7.0..7.0f64),
             lever in 0.0..2.0f64,
@@ -269,14 +297,18 @@ mod tests {
                     moment_slope: c[5],
                 }
                 .into(),
+                aerodynamic_stiffness: true,
                 ..Parameters::default()
             };
             let section = Section::new(parameters).expect("a possible section");
             let sums = TrigonometricSums::new(Budget::new(100_000));
             let exact = ExactSection::from(&section).scaled_damping(&sums).expect("short sums");
             let intervals = Intervals::new(100);
+            let stiffness = ExactSection::from(&section).turn_stiffness(&sums).expect("short sums");
             let bounds = section.scaled_damping_with_bound();
-            for (own, ball) in exact.iter().flatten().zip(bounds.iter().flatten()) {
+            let turn_bounds = section.turn_stiffness_with_bound().expect("it is on");
+            let pairs = exact.iter().flatten().zip(bounds.iter().flatten());
+            for (own, ball) in pairs.chain(stiffness.iter().zip(&turn_bounds)) {
                 let number = |value: f64| Rational::try_from(value).expect("finite");
                 for bound in intervals.bounds(&intervals.enclosure(own)) {
                     let apart = bound - number(ball.centre.re);

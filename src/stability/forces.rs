@@ -1,4 +1,4 @@
-//! What the wind does to a section: the scaled aerodynamic damping matrix.
+//! What the wind does to a section: its scaled damping matrix, and its stiffness.
 
 use sextic_evaluators::aerodynamic_damping::{
     AerodynamicDampingAngles, AerodynamicDampingInputs, AerodynamicDampingOutputs,
@@ -6,7 +6,7 @@ use sextic_evaluators::aerodynamic_damping::{
 };
 use sextic_evaluators::bounded::Bounded;
 
-use super::ball::Ball;
+use super::ball::{Ball, quotient, rounded};
 use super::section::{Coefficients, Section};
 
 /// What is known of the forces of the wind.
@@ -96,6 +96,29 @@ impl Section {
                 rows(aerodynamic_damping_with_bound(&inputs(self, c))).map(|row| row.map(derived))
             }
         }
+    }
+
+    /// The column of θ of −∂F/∂(x, y, θ) over ρDU²/2, for the forces on x, y and rθ, with bounds of its
+    /// rounding: how they follow the turn of the section (`derivations/extensions.md`, section 3). `None`
+    /// where aerodynamic stiffness is left out.
+    ///
+    /// ```text
+    /// −[C_D′ c − C_L′ s;  C_D′ s + C_L′ c;  κ C_M′],   c = cos α_0, s = sin α_0, κ = D/r
+    /// ```
+    pub(super) fn turn_stiffness_with_bound(&self) -> Option<[Ball; 3]> {
+        let p = self.parameters();
+        let (Forces::Coefficients(c), true) = (p.forces, p.aerodynamic_stiffness) else {
+            return None;
+        };
+        let [drag, lift, moment] =
+            [c.drag_slope, c.lift_slope, c.moment_slope].map(|slope| Ball::real(slope, 0.0));
+        let (sin, cos) = (rounded(p.wind_angle.sin()), rounded(p.wind_angle.cos()));
+        let kappa = quotient(p.reference_dimension, p.radius_of_gyration);
+        Some([
+            lift * sin + -(drag * cos),
+            -(drag * sin + lift * cos),
+            -(kappa * moment),
+        ])
     }
 
     /// δ = ρ D U/(2 m ω), ω that of the first free coordinate.

@@ -1,8 +1,8 @@
-//! The equations of motion of a section, M q̈ + (C_s + C_a) q̇ + K q = 0, Eqs. (9), (10) and (12).
+//! The equations of motion of a section, M q̈ + (C_s + C_a) q̇ + (K + K_a) q = 0, Eqs. (9), (10) and (12).
 
 use nalgebra::{DMatrix, Matrix3};
 
-use super::ball::Ball;
+use super::ball::{Ball, quotient, rounded};
 use super::coordinate::Coordinate;
 use super::error::StabilityError;
 use super::section::Section;
@@ -16,11 +16,15 @@ use super::section::Section;
 /// C_s = diagonal(2 m ω_x ζ_x, 2 m ω_y ζ_y, 2 m r² ω_θ ζ_θ)
 /// C_a = ρ D U/2 · diagonal(1, 1, r) S_a diagonal(1, 1, r)
 /// K   = diagonal(m ω_x², m ω_y², m r² ω_θ²)
+/// K_a = −ρ D U²/2 [0, 0, C_D′ c − C_L′ s;  0, 0, C_D′ s + C_L′ c;  0, 0, D C_M′]
 /// ```
 ///
+/// K_a, with c = cos α_0 and s = sin α_0, is the aerodynamic stiffness of `derivations/extensions.md`,
+/// section 3: 0 unless the parameters ask for it, since the paper leaves it out.
+///
 /// Rows and columns of coordinates that are held are left out: with n free coordinates the matrices
-/// are n×n. Aerodynamic stiffness is left out, as in the paper. Inside, rθ stands in place of θ, all
-/// is divided by m, and time is counted in units of a power of 2, which rounds nothing.
+/// are n×n. Inside, rθ stands in place of θ, all is divided by m, and time is counted in units of a power
+/// of 2, which rounds nothing.
 #[derive(Clone, Debug)]
 pub struct Model {
     section: Section,
@@ -32,6 +36,7 @@ pub struct Model {
     structural_damping: Matrix,
     aerodynamic_damping: Matrix,
     stiffness: Matrix,
+    aerodynamic_stiffness: Matrix,
 }
 
 /// A matrix for up to three free coordinates: with n of them only the first n rows and columns count.
@@ -69,6 +74,9 @@ impl Model {
         }
         let delta = Ball::real(wind, 4.0 * f64::EPSILON * wind + f64::MIN_POSITIVE);
         let s_a = section.scaled_damping_with_bound();
+        let k_a = section.turn_stiffness_with_bound();
+        // ρDU²/(2mr), for the turn rθ.
+        let pressure = delta * rescaled(p.wind_speed / unit) * quotient(1.0, p.radius_of_gyration);
 
         let mass = [
             [Ball::ONE, Ball::ZERO, sin],
@@ -97,6 +105,10 @@ impl Model {
             structural_damping: matrix(&|i, j| diagonal(i, j, two * omega[i] * ratio(i))),
             aerodynamic_damping: matrix(&|i, j| delta * s_a[i][j]),
             stiffness: matrix(&|i, j| diagonal(i, j, omega[i] * omega[i])),
+            aerodynamic_stiffness: matrix(&|i, j| match (k_a, j) {
+                (Some(k_a), 2) => pressure * k_a[i],
+                _ => Ball::ZERO,
+            }),
         };
         if model.is_finite() {
             Ok(model)
@@ -107,7 +119,8 @@ impl Model {
 
     fn is_finite(&self) -> bool {
         let damping = [&self.structural_damping, &self.aerodynamic_damping];
-        let matrices = [&self.mass, &self.stiffness].into_iter().chain(damping);
+        let stiffness = [&self.stiffness, &self.aerodynamic_stiffness];
+        let matrices = [&self.mass].into_iter().chain(damping).chain(stiffness);
         let mut entries = matrices.flatten().flatten();
         self.frequency_unit.is_normal() && entries.all(|ball| ball.is_finite())
     }
@@ -142,8 +155,15 @@ impl Model {
         self.in_si(&self.stiffness, 2)
     }
 
-    /// A = \[0, I; −M⁻¹K, −M⁻¹(C_s + C_a)\], the state matrix of Eq. (16) with structural damping,
-    /// 2n×2n, for the state (q, q̇) in SI units.
+    /// K_a, the aerodynamic stiffness matrix, n×n: in N/m², N/m and N; 0 where it is left out.
+    ///
+    /// A displacement q of the section adds −K_a q to the forces of the wind.
+    pub fn aerodynamic_stiffness(&self) -> DMatrix<f64> {
+        self.in_si(&self.aerodynamic_stiffness, 2)
+    }
+
+    /// A = \[0, I; −M⁻¹(K + K_a), −M⁻¹(C_s + C_a)\], the state matrix of Eq. (16) with structural damping
+    /// and aerodynamic stiffness, 2n×2n, for the state (q, q̇) in SI units.
     pub fn state_matrix(&self) -> DMatrix<f64> {
         let (n, unit) = (self.freedom(), self.frequency_unit);
         let mut matrix = self.scaled_state_matrix();
@@ -165,11 +185,12 @@ impl Model {
         let inverse = self.inverse_mass();
         let damping =
             self.centres(&self.structural_damping) + self.centres(&self.aerodynamic_damping);
+        let stiffness = self.centres(&self.stiffness) + self.centres(&self.aerodynamic_stiffness);
         let mut matrix = DMatrix::zeros(2 * n, 2 * n);
         matrix.view_mut((0, n), (n, n)).fill_with_identity();
         matrix
             .view_mut((n, 0), (n, n))
-            .copy_from(&(-&inverse * self.centres(&self.stiffness)));
+            .copy_from(&(-&inverse * stiffness));
         matrix
             .view_mut((n, n), (n, n))
             .copy_from(&(-&inverse * damping));
@@ -214,22 +235,23 @@ impl Model {
     }
 
     /// c²M + cC + K, 2cM + C and M: the coefficients of B(c + μ) in powers of μ, where
-    /// B(λ) = λ²M + λC + K, scaled. For coordinates that are held it is the unit matrix.
+    /// B(λ) = λ²M + λC + K, scaled, with all damping in C and all stiffness in K. For coordinates that are
+    /// held it is the unit matrix.
     pub(super) fn dynamic_stiffness(&self, c: Ball) -> [[Quadratic; 3]; 3] {
         let entry = |i: usize, j: usize| {
             if i.max(j) >= self.freedom() {
                 let unit = if i == j { Ball::ONE } else { Ball::ZERO };
                 return [unit, Ball::ZERO, Ball::ZERO];
             }
-            let (m, k) = (self.mass[i][j], self.stiffness[i][j]);
+            let (m, k_a) = (self.mass[i][j], self.aerodynamic_stiffness[i][j]);
             let damping = self.structural_damping[i][j] + self.aerodynamic_damping[i][j];
             let once = c * m + damping;
             let constant = if i == j {
                 // Near an eigenvalue this loses nothing, but c² + ω² nearly all.
                 let natural = self.frequencies[i];
-                (c + -natural) * (c + natural) + c * damping
+                (c + -natural) * (c + natural) + (c * damping + k_a)
             } else {
-                c * once + k
+                c * once + k_a
             };
             [constant, c * m + once, m]
         };
@@ -279,11 +301,6 @@ fn rescaled(value: f64) -> Ball {
         f64::MIN_POSITIVE
     };
     Ball::real(value, error)
-}
-
-/// A number that is rounded, or a sine: right to a unit in the last place.
-fn rounded(value: f64) -> Ball {
-    Ball::real(value, f64::EPSILON * value.abs())
 }
 
 /// The coefficients of μ⁰, μ¹ and μ².

@@ -62,7 +62,7 @@ pub fn needed(values: &BTreeMap<String, f64>, with_damping: bool) -> Vec<&'stati
     names().filter(is_needed).collect()
 }
 
-/// The parameters of a section with all coordinates free. What is not among the values is 0, or 1 where it
+/// The parameters of a section with all coordinates free and without aerodynamic stiffness. What is not among the values is 0, or 1 where it
 /// may not be 0: it is for the caller to ask for what is [`needed`]. The numbers are
 /// doubles, or exact ones.
 ///
@@ -105,5 +105,6 @@ pub fn parameters<T: Clone + From<u8>>(values: &BTreeMap<String, T>) -> Paramete
             })
         },
         free: FreeCoordinates::all(),
+        aerodynamic_stiffness: false,
     }
 }

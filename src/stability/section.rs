@@ -40,6 +40,8 @@ pub struct Parameters<T = f64> {
     pub forces: Forces<T>,
     /// The coordinates that are free.
     pub free: FreeCoordinates,
+    /// Whether the angle of attack follows the turn of the section as it moves: the paper leaves that out.
+    pub aerodynamic_stiffness: bool,
 }
 
 impl<T> Parameters<T> {
@@ -61,6 +63,7 @@ impl<T> Parameters<T> {
             attitude: number(&self.attitude),
             forces: self.forces.map(&number),
             free: self.free,
+            aerodynamic_stiffness: self.aerodynamic_stiffness,
         }
     }
 }
@@ -104,6 +107,7 @@ pub struct Coefficients<T = f64> {
 ///     attitude: 0.7,
 ///     forces: Coefficients { drag: 1.2, lift_slope: -3.0, ..Coefficients::default() }.into(),
 ///     free: FreeCoordinates::all(),
+///     aerodynamic_stiffness: false,
 /// };
 /// assert!(Section::new(parameters.clone()).is_ok());
 ///
@@ -124,6 +128,7 @@ impl Section {
     /// # Errors
     ///
     /// For the first parameter that is out of its range: which, its value, what it must be.
+    /// [`StabilityError::StiffnessWithoutCoefficients`] if S_a is given with aerodynamic stiffness.
     pub fn new(parameters: Parameters) -> Result<Self, StabilityError> {
         let p = &parameters;
         for (name, value) in [
@@ -161,6 +166,9 @@ impl Section {
         if p.mass_centre_distance >= r {
             let below = format!("below r = {r}, or the moment of inertia about G is not positive");
             require("L_g", p.mass_centre_distance, false, &below)?;
+        }
+        if p.aerodynamic_stiffness && matches!(p.forces, Forces::ScaledDamping(_)) {
+            return Err(StabilityError::StiffnessWithoutCoefficients);
         }
         Ok(Section(parameters))
     }

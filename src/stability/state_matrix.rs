@@ -12,7 +12,7 @@ use super::schur::approximate_eigenvalues;
 /// The eigenvalues of the state matrix, Eq. (16).
 ///
 /// They are approximated by a Schur decomposition of the state matrix; their errors are bounded with the
-/// characteristic polynomial |λ²M + λ(C_s + C_a) + K|, expanded about each of them without forming
+/// characteristic polynomial |λ²M + λ(C_s + C_a) + K + K_a|, expanded about each of them without forming
 /// its coefficients in λ, whose rounding would cost most digits. The bounds count the rounding of
 /// the matrices, for the sines and cosines of the angles as they are rounded, and hold for eigenvalues
 /// that coincide and for defective ones.

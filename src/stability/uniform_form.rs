@@ -35,7 +35,8 @@ pub fn uniform_form(model: &Model) -> Result<ClosedForm, Limitation> {
 ///
 /// with the frequencies ν_k without wind in rad/s and the damping matrix B in 1/s in the coordinates of
 /// the modes without wind (`derivations/uniform.md`). Frequencies may coincide or differ, and structural
-/// damping is a part of B. What is left out is of the second or third order in B/ν.
+/// damping is a part of B. What is left out is of the second or third order in B/ν, and aerodynamic
+/// stiffness.
 ///
 /// # Errors
 ///
@@ -52,11 +53,13 @@ pub fn uniform_form_of(order: Order, model: &Model) -> Result<ClosedForm, Limita
         .map(|root| (root + Complex::new(0.0, nu_2)) * model.frequency_unit);
     eigenvalues.sort_by(|one, other| other.im.total_cmp(&one.im));
     let damping = strength(&modal.damping, nu_3);
+    let is_stiffened = model.section().parameters().aerodynamic_stiffness;
+    let stiffness = is_stiffened.then_some(Limitation::AerodynamicStiffness);
     let is_strong = damping > STRONG;
-    let warnings = is_strong.then_some(Limitation::StrongDamping { damping });
+    let strong = is_strong.then_some(Limitation::StrongDamping { damping });
     Ok(ClosedForm {
         eigenvalues,
-        warnings: warnings.into_iter().collect(),
+        warnings: stiffness.into_iter().chain(strong).collect(),
     })
 }
 

@@ -134,7 +134,7 @@ const WINDS: [f64; 2] = [1e-5, 0.1];
 ///
 /// # Errors
 ///
-/// If there is no wind, a coordinate is held, an angle is outside of the table, or a section has no answer.
+/// If there is no wind, a coordinate is held, there is aerodynamic stiffness, an angle is outside of the table, or a section has no answer.
 pub fn validity(case: &Case, table: &CoefficientTable) -> Result<Validity, InputError> {
     let wrong = |what: &str, help: &str| InputError::new(Place::file(&case.file), what, help);
     if case.parameters.wind_speed == 0.0 {
@@ -149,6 +149,11 @@ pub fn validity(case: &Case, table: &CoefficientTable) -> Result<Validity, Input
             "the closed forms need x, y and theta to be free",
             help,
         ));
+    }
+    if case.parameters.aerodynamic_stiffness {
+        let help =
+            "leave `aerodynamic_stiffness` out of the case: the map is of what the forms count";
+        return Err(wrong("the forms leave aerodynamic stiffness out", help));
     }
     let no_answer =
         |error: StabilityError| wrong(&error.to_string(), "correct the case or its table");

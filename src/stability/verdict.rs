@@ -114,7 +114,7 @@ pub fn verdict(section: &Section, spectrum: &Spectrum) -> Verdict {
 /// enclosed with more and more digits. All positive: stable (Hurwitz). One negative: unstable, since
 /// roots with no positive real part are limits of roots with negative ones, whose determinants are
 /// positive. Where one is exactly 0, what even and odd part have in common is looked at by itself: its
-/// roots λ² are those of the pairs ±λ.
+/// roots λ² are those of the pairs ±λ; a root that is 0 is split off before.
 ///
 /// Bounded: at most 2,100,000 products of machine words in exact sums, and 4096 binary digits.
 pub fn exact_verdict(section: &ExactSection) -> Verdict {
@@ -170,7 +170,7 @@ enum Roots {
     Right,
 }
 
-/// Where the roots of a polynomial lie that has no root 0.
+/// Where the roots of a polynomial lie.
 ///
 /// With p(λ) = E(λ²) + λ O(λ²) and d the greatest common divisor of E and O, p = d(λ²) q(λ), and a root of
 /// p on the imaginary axis is one of d(λ²), whose roots come in pairs ±λ. All roots of d are negative
@@ -184,6 +184,12 @@ fn signs_of_roots(
 ) -> Result<Roots, Doubt> {
     if polynomial.len() <= 1 {
         return Ok(Roots::Left);
+    }
+    if polynomial[0].is_zero() {
+        return Ok(match signs_of_roots(&polynomial[1..], likely, sums)? {
+            Roots::Right => Roots::Right,
+            Roots::Left | Roots::OnAxis => Roots::OnAxis,
+        });
     }
     if let Ok(known) = by_determinants(polynomial, &DIGITS[..1], false) {
         return Ok(known);

@@ -2,6 +2,7 @@
 
 use sextic::stability::coordinate::{Coordinate, FreeCoordinates};
 use sextic::stability::critical_speed::{Stability, speeds};
+use sextic::stability::eigenvalue::Spectrum;
 use sextic::stability::exact_section::ExactSection;
 use sextic::stability::model::Model;
 use sextic::stability::section::{Coefficients, Parameters, Section};
@@ -11,15 +12,29 @@ use super::sections::{Numbers, section};
 
 const HIGHEST: f64 = 60.0;
 
-/// The largest real part at a wind speed, and its error.
-fn largest_real_part(p: &Parameters, speed: f64) -> (f64, f64) {
+fn spectrum(p: &Parameters, speed: f64) -> Spectrum {
     let section = Section::new(Parameters {
         wind_speed: speed,
         ..*p
     })
     .expect("a section");
     let spectrum = state_matrix::eigenvalues(&Model::new(&section).expect("a model"));
-    spectrum.expect("eigenvalues").largest_real_part()
+    spectrum.expect("eigenvalues")
+}
+
+/// The largest real part at a wind speed, and its error.
+fn largest_real_part(p: &Parameters, speed: f64) -> (f64, f64) {
+    spectrum(p, speed).largest_real_part()
+}
+
+/// The largest eigenvalue that is real.
+fn largest_real_eigenvalue(p: &Parameters, speed: f64) -> Option<f64> {
+    let spectrum = spectrum(p, speed);
+    let real = spectrum
+        .eigenvalues
+        .iter()
+        .filter(|own| own.value.im == 0.0);
+    real.map(|own| own.value.re).max_by(f64::total_cmp)
 }
 
 /// Where the largest real part changes its sign, by bisection between the points of a grid.
@@ -55,6 +70,7 @@ fn lightly_damped(numbers: &mut Numbers) -> Parameters {
         natural_frequencies: [(); 3].map(|()| numbers.between(5.0, 7.0)),
         damping_ratios: [(); 3].map(|()| numbers.between(0.001, 0.02)),
         mass: numbers.scale(2.0, 20.0),
+        aerodynamic_stiffness: numbers.between(0.0, 1.0) < 0.5,
         free,
         ..usual
     }
@@ -63,8 +79,8 @@ fn lightly_damped(numbers: &mut Numbers) -> Parameters {
 #[test]
 fn critical_speeds_are_those_of_bisection() {
     let mut numbers = Numbers::new(51);
-    let (mut roots, mut returns) = (0, 0);
-    for _ in 0..60 {
+    let (mut roots, mut returns, mut divergent) = (0, 0, 0);
+    for _ in 0..120 {
         let p = lightly_damped(&mut numbers);
         let section = Section::new(p).expect("a possible section");
         let found = speeds(&ExactSection::from(&section), HIGHEST);
@@ -80,15 +96,17 @@ fn critical_speeds_are_those_of_bisection() {
             assert!(own.error < 1e-9, "{own:?}");
             roots += 1;
             returns += usize::from(own.becomes == Stability::Stable);
+            divergent += usize::from(own.becomes == Stability::Divergent);
         }
         // What is said of a range is so within it.
         for range in &found.ranges {
             for part in [0.001, 0.3, 0.5, 0.999] {
-                let (largest, error) =
-                    largest_real_part(&p, range.from + part * (range.to - range.from));
+                let speed = range.from + part * (range.to - range.from);
+                let (largest, error) = largest_real_part(&p, speed);
                 let is_wrong = match range.stability {
                     Stability::Stable => largest > error,
                     Stability::Unstable => largest < -error,
+                    Stability::Divergent => largest_real_eigenvalue(&p, speed) <= Some(0.0),
                     Stability::Undecided => true,
                 };
                 assert!(!is_wrong, "{range:?} {largest} {p:?}");
@@ -102,8 +120,8 @@ fn critical_speeds_are_those_of_bisection() {
         assert_eq!(last.map(|own| own.to), Some(HIGHEST));
     }
     assert!(
-        roots > 20 && returns > 0,
-        "{roots} roots, {returns} returns"
+        roots > 40 && returns > 0 && divergent > 10,
+        "{roots} roots, {returns} returns, {divergent} divergent"
     );
 }
 

@@ -1,5 +1,6 @@
 //! Numbers for sections, against exact arithmetic.
 
+mod aerodynamic_stiffness;
 mod cases;
 mod closed_form;
 mod comparison;

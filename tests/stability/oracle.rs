@@ -57,7 +57,7 @@ pub fn permutations(n: usize) -> Vec<(Vec<usize>, bool)> {
     all
 }
 
-/// |λ²M + λ(C_s + C_a) + K| of the free coordinates, Eqs. (9), (17) and (18), over m and with rθ for θ;
+/// |λ²M + λ(C_s + C_a) + K + K_a| of the free coordinates, Eqs. (9), (17) and (18), over m and with rθ for θ;
 /// sines and cosines count as the doubles to which they are rounded.
 pub fn characteristic_polynomial(p: &Parameters) -> Coefficients {
     let [m, r, rho, d, u] = [
@@ -116,7 +116,16 @@ pub fn characteristic_polynomial(p: &Parameters) -> Coefficients {
             _ => &moment[0] * v + &moment[1] * w,
         }
     };
-    let delta = rho * d * u / (two.clone() * m);
+    let delta = rho * d * &u / (two.clone() * m);
+    // What the turn alone does: the forces by the angle of attack, turned to x and y.
+    let turning = |i: usize| -> RBig {
+        let slope = match i {
+            0 => &c * &dd - &s * &dl,
+            1 => &s * &dd + &c * &dl,
+            _ => &kappa * &dm,
+        };
+        -(&delta * &u / &r * slope)
+    };
     let free: Vec<usize> = p.free.as_slice().iter().map(|free| free.index()).collect();
     let entry = |i: usize, j: usize| -> Coefficients {
         let omega = exact(p.natural_frequencies[i]);
@@ -131,6 +140,9 @@ pub fn characteristic_polynomial(p: &Parameters) -> Coefficients {
         if i == j {
             rate += &two * exact(p.damping_ratios[i]) * &omega;
             stiffness = &omega * &omega;
+        }
+        if p.aerodynamic_stiffness && j == 2 {
+            stiffness += turning(i);
         }
         vec![stiffness, rate, mass]
     };

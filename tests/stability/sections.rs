@@ -57,11 +57,12 @@ pub fn section(numbers: &mut Numbers) -> Parameters {
             moment_slope: numbers.between(-5.0, 5.0),
         }),
         free: FreeCoordinates::all(),
+        aerodynamic_stiffness: false,
     }
 }
 
 /// What makes eigenvalues hard to compute.
-pub const KINDS: [&str; 8] = [
+pub const KINDS: [&str; 9] = [
     "usual",
     "undamped, no wind",
     "tuned, no wind",
@@ -69,6 +70,7 @@ pub const KINDS: [&str; 8] = [
     "tuned, centred, hardly any wind",
     "tuned, hardly eccentric",
     "tuned, critically damped",
+    "aerodynamic stiffness",
     "some are held",
 ];
 
@@ -106,6 +108,10 @@ pub fn hard_section(kind: &str, numbers: &mut Numbers) -> Parameters {
             wind_speed: numbers.scale(1e-4, 1.0),
             mass_centre_distance: tuned.radius_of_gyration * numbers.scale(1e-12, 1e-2),
             ..tuned
+        },
+        "aerodynamic stiffness" => Parameters {
+            aerodynamic_stiffness: true,
+            ..usual
         },
         // One eigenvalue of multiplicity 6, and defective.
         "tuned, critically damped" => Parameters {

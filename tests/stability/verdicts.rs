@@ -7,7 +7,7 @@ use sextic::compile::fixed::Fixed;
 use sextic::stability::exact_section::ExactSection;
 use sextic::stability::model::Model;
 use sextic::stability::quantities::parameters;
-use sextic::stability::section::Section;
+use sextic::stability::section::{Parameters, Section};
 use sextic::stability::state_matrix;
 use sextic::stability::verdict::{Doubt, Proof, Verdict, exact_verdict, verdict};
 
@@ -42,7 +42,15 @@ fn verdicts_by_hand() {
             values.retain(|name, _| !name.starts_with("S_"));
         }
         values.extend(own);
-        let section = ExactSection::new(parameters(&values)).expect("a possible section");
+        let (expected, is_stiffened) = match expected.strip_suffix(", stiffness") {
+            Some(expected) => (expected, true),
+            None => (expected, false),
+        };
+        let section = ExactSection::new(Parameters {
+            aerodynamic_stiffness: is_stiffened,
+            ..parameters(&values)
+        });
+        let section = section.expect("a possible section");
         let found = exact_verdict(&section);
         assert_eq!(found.name(), expected, "{line}: {found}");
         if expected == "undecided" {

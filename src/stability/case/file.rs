@@ -52,6 +52,8 @@ pub(super) struct StructureTable {
 pub(super) struct WindTable {
     pub(super) rho: f64,
     pub(super) U: f64,
+    #[serde(default)]
+    pub(super) aerodynamic_stiffness: bool,
 }
 
 #[derive(Deserialize)]
@@ -135,6 +137,7 @@ impl StructureTable {
             attitude: 0.0,
             forces: Forces::default(),
             free,
+            aerodynamic_stiffness: false,
         })
     }
 }

@@ -34,7 +34,7 @@ pub(super) const KEYS: [(&str, &[&str]); 4] = [
             "free",
         ],
     ),
-    ("wind", &["rho", "U"]),
+    ("wind", &["rho", "U", "aerodynamic_stiffness"]),
     ("sweep", &["alpha_deg", "turn"]),
 ];
 
@@ -154,6 +154,8 @@ pub(super) fn not_read(file: &str, text: &str, error: &toml::de::Error) -> Input
         "add it below this line"
     } else if message.starts_with("unknown variant") {
         "write one of these, in quotation marks"
+    } else if message.ends_with("expected a boolean") {
+        "write true or false, without quotation marks"
     } else {
         "write `name = value` below [table]: text in quotation marks, numbers with a decimal point and without \
          a unit"

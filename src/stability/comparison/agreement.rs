@@ -37,6 +37,8 @@ pub enum Reason {
     NotTuned,
     /// Structural damping is left out.
     StructuralDamping,
+    /// Aerodynamic stiffness is left out.
+    AerodynamicStiffness,
     /// e ≤ δ|S_a|.
     Eccentricity {
         /// e = L_g/r.
@@ -77,6 +79,9 @@ impl fmt::Display for Reason {
                 formatter,
                 "there is structural damping, which the closed form leaves out"
             ),
+            Reason::AerodynamicStiffness => {
+                write!(formatter, "this form leaves aerodynamic stiffness out")
+            }
             Reason::Eccentricity {
                 eccentricity,
                 damping,
@@ -215,6 +220,9 @@ fn uniform_reasons(wrong: &[&Point]) -> Vec<Reason> {
     let none = all()
         .any(|own| *own == Limitation::NoRoots)
         .then_some(Reason::NoAnswer);
+    let stiffness = all()
+        .any(|own| *own == Limitation::AerodynamicStiffness)
+        .then_some(Reason::AerodynamicStiffness);
     let strong = all().filter_map(|own| match own {
         Limitation::StrongDamping { damping } => Some(*damping),
         _ => None,
@@ -229,6 +237,7 @@ fn uniform_reasons(wrong: &[&Point]) -> Vec<Reason> {
         .map(|_| Reason::ThirdOrder);
     held.into_iter()
         .chain(none)
+        .chain(stiffness)
         .chain(strong)
         .chain(third)
         .collect()
@@ -246,6 +255,9 @@ fn closed_reasons(wrong: &[&Point]) -> Vec<Reason> {
     }
     if all().any(|own| *own == Limitation::StructuralDamping) {
         reasons.push(Reason::StructuralDamping);
+    }
+    if all().any(|own| *own == Limitation::AerodynamicStiffness) {
+        reasons.push(Reason::AerodynamicStiffness);
     }
     let eccentric = all().filter_map(|own| match own {
         Limitation::Eccentricity {
