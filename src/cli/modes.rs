@@ -17,7 +17,7 @@ use crate::stability::exact_modes::ExactModes;
 use crate::stability::exact_section::ExactSection;
 use crate::stability::model::Model;
 use crate::stability::quantities::{names, needed, parameters};
-use crate::stability::section::Section;
+use crate::stability::section::{Parameters, Section};
 use crate::stability::uniform_form::uniform_form;
 use crate::stability::verdict::{Verdict, exact_verdict};
 use crate::stability::{companion, exact_modes, state_matrix};
@@ -42,6 +42,10 @@ pub struct Arguments {
     /// How the modes are found
     #[arg(long, value_enum, default_value_t = Method::State)]
     method: Method,
+
+    /// Let the angle of attack follow the turn of the section
+    #[arg(long)]
+    aerodynamic_stiffness: bool,
 
     /// How the numbers are written
     #[arg(long, value_enum, default_value_t = Results::Text)]
@@ -104,10 +108,19 @@ fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
     }
     let refuse =
         |error: StabilityError| wrong(&error.to_string(), "`sextic modes --help` names the units");
-    let section = Section::new(parameters(&values)).map_err(refuse)?;
+    let aerodynamic_stiffness = arguments.aerodynamic_stiffness;
+    let section = Section::new(Parameters {
+        aerodynamic_stiffness,
+        ..parameters(&values)
+    });
+    let section = section.map_err(refuse)?;
     let model = Model::new(&section).map_err(refuse)?;
     // The decimals themselves, which need not be doubles.
-    let verdict = exact_verdict(&ExactSection::new(parameters(&exact)).map_err(refuse)?);
+    let exact = ExactSection::new(Parameters {
+        aerodynamic_stiffness,
+        ..parameters(&exact)
+    });
+    let verdict = exact_verdict(&exact.map_err(refuse)?);
     let spectrum = |found: Result<Spectrum, StabilityError>| found.map_err(refuse);
     let mut found = match arguments.method {
         Method::Companion => by_spectrum(

@@ -16,7 +16,8 @@ use super::output::{finish, width};
 ///
 /// At each angle of the case: from which wind speed on the section gallops, and at which it is stable again.
 /// The speeds are the roots of a Hurwitz determinant as a polynomial in U, isolated in exact arithmetic, so
-/// that none is missed; the wind speed of the case does not matter. Numbers of the case count as doubles.
+/// that none is missed; those of static divergence are roots of the determinant of the stiffness. The wind
+/// speed of the case does not matter. Numbers of the case count as doubles.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
@@ -52,11 +53,13 @@ const EXAMPLES: &str = "\
 Verdicts:
   stable     every eigenvalue has a negative real part, at all speeds of the range
   unstable   one has a positive real part, at all speeds of the range
+  divergent  one is real and above 0: with aerodynamic stiffness the wind turns the section over, without any
+             oscillation, and whether it gallops beside that or not
   undecided  neither is shown: a real part that is exactly 0 at every speed, or speeds closer than 1e-12 of
              the highest one
 
-Rows of --format csv are ranges of speeds, with as many decimals as are certain. Between a stable and an
-unstable range there is exactly one critical speed.
+Rows of --format csv are ranges of speeds, with as many decimals as are certain. Between ranges that are
+decided and differ there is exactly one critical speed.
 
 Examples:
   sextic speeds case.toml

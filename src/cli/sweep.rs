@@ -76,7 +76,8 @@ Columns, after the quantities and the angle, as far as their methods are asked:
   error_exact, error_companion: what is exact is no farther from the number that is printed
   frequency_hz, mostly: of the mode with the least damping, and the coordinate that moves most in it
   closed_limits, uniform_limits: what speaks against the form, in words: held (a coordinate), detuned,
-  damped (structural damping is left out), eccentricity (below the aerodynamic damping), strong (damping)
+  damped (structural damping is left out), stiffness (aerodynamic stiffness is), eccentricity (below the
+  aerodynamic damping), strong (damping)
 
 An interrupted sweep says so, and leaves its rows in a file beside the other one, whose name ends in .part.
 

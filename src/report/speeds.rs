@@ -42,12 +42,20 @@ pub fn ends(own: &SpeedRange, speeds: &Speeds, most: usize) -> [String; 2] {
 
 /// Where the section gallops: the lowest critical speed, in a sentence.
 pub fn conclusion(found: &SpeedsFound) -> String {
+    let is_any = |stability| {
+        let mut ranges = found.angles.iter().flat_map(|(_, speeds)| &speeds.ranges);
+        ranges.any(|own: &SpeedRange| own.stability == stability)
+    };
+    let does = match (is_any(Stability::Unstable), is_any(Stability::Divergent)) {
+        (true, true) => "gallops or diverges",
+        (false, true) => "diverges",
+        _ => "gallops",
+    };
+    let is_unstable =
+        |own: &&SpeedRange| matches!(own.stability, Stability::Unstable | Stability::Divergent);
     let onset = |(place, speeds): &(f64, Speeds)| {
-        let mut unstable = speeds
-            .ranges
-            .iter()
-            .filter(|own| own.stability == Stability::Unstable);
-        unstable.next().map(|own| (own.from, *place))
+        let first = speeds.ranges.iter().find(is_unstable);
+        first.map(|own| (own.from, *place))
     };
     let onsets: Vec<(f64, f64)> = found.angles.iter().filter_map(onset).collect();
     let lowest = onsets.iter().min_by(|one, other| one.0.total_cmp(&other.0));
@@ -58,11 +66,11 @@ pub fn conclusion(found: &SpeedsFound) -> String {
             found.highest
         ),
         Some((speed, place)) if *speed == 0.0 => format!(
-            "The section gallops at {count} of {all} angles; from the lowest wind speeds on at {}°.",
+            "The section {does} at {count} of {all} angles; from the lowest wind speeds on at {}°.",
             angle(*place)
         ),
         Some((speed, place)) => format!(
-            "The section gallops at {count} of {all} angles; the lowest critical wind speed is {} m/s, at {}°.",
+            "The section {does} at {count} of {all} angles; the lowest critical wind speed is {} m/s, at {}°.",
             decimal(*speed, 4),
             angle(*place)
         ),

@@ -1,5 +1,6 @@
 //! A comparison of methods in words and numbers, said once for every view.
 
+use crate::stability::case::Case;
 use crate::stability::comparison::{
     Agreement, Comparison, FollowedMode, Point, Reason, Value, angle, listed,
 };
@@ -60,9 +61,37 @@ pub fn title(comparison: &Comparison) -> String {
         _ => String::new(),
     };
     format!(
-        "{}: {angles}; {free}; U = {} m/s",
-        case.file, case.parameters.wind_speed
+        "{}: {angles}; {free}; U = {} m/s{}",
+        case.file,
+        case.parameters.wind_speed,
+        with_stiffness(case)
     )
+}
+
+/// What a title says of aerodynamic stiffness, if there is any.
+pub fn with_stiffness(case: &Case) -> &'static str {
+    match case.parameters.aerodynamic_stiffness {
+        true => "; with aerodynamic stiffness",
+        false => "",
+    }
+}
+
+/// What a section does where it is unstable: whether a motion grows without oscillating anywhere.
+fn what_it_does(comparison: &Comparison) -> &'static str {
+    let is_growing = |own: &FollowedMode| own.damping.value < -own.damping.error;
+    let mut modes = comparison.points.iter().flat_map(|point| &point.modes);
+    match modes.any(|own| own.frequency == 0.0 && is_growing(own)) {
+        true => "gallops or diverges",
+        false => "gallops",
+    }
+}
+
+/// The frequency of a mode that grows; one that does not oscillate diverges.
+pub fn frequency(mode: &FollowedMode) -> String {
+    match mode.frequency {
+        0.0 => "diverges".to_string(),
+        frequency => format!("{frequency:.4} Hz"),
+    }
 }
 
 /// Where the section gallops, in a sentence: what is not decided is not called stable.
@@ -89,12 +118,13 @@ pub fn conclusion(comparison: &Comparison) -> String {
             format!("; not decided ({}), because {reasons}", listed(ranges))
         }
     };
+    let does = what_it_does(comparison);
     match (comparison.unstable.len(), comparison.undecided.len()) {
         (0, 0) => format!("No angle of the sweep is unstable: {least}."),
         (0, _) => format!("No angle of the sweep is unstable for certain: {least}{undecided}."),
-        (1, _) => format!("The section gallops in one range of angles: {least}{undecided}."),
+        (1, _) => format!("The section {does} in one range of angles: {least}{undecided}."),
         (count, _) => {
-            format!("The section gallops in {count} ranges of angles: {least}{undecided}.")
+            format!("The section {does} in {count} ranges of angles: {least}{undecided}.")
         }
     }
 }

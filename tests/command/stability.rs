@@ -411,3 +411,55 @@ fn critical_speeds_are_written_in_every_form() {
         assert!(status == Some(2) && err.contains("--to"), "{to}: {err}");
     }
 }
+
+/// The turn alone diverges where m r² ω_θ² = ρD²U²C_M′/2: here with C_M′ = 1/2.
+#[test]
+fn aerodynamic_stiffness_is_an_option() {
+    let section = "m=1 r=1 L_g=0 alpha_g=0 theta_0=0 omega_x=1 omega_y=1 omega_theta=1 zeta_x=0.01 zeta_y=0.01 \
+                   zeta_theta=0.01 U=2 rho=1 D=1 alpha_0=0 L_a=0 gamma_r=0 C_D=1 C_L=0 C_M=0 dC_D=0 dC_L=0";
+    let section: Vec<&str> = section.split_whitespace().collect();
+    let on = "--aerodynamic-stiffness";
+    for (moment, option, verdict) in [
+        ("dC_M=0.499999999999999999999", &[on][..], "stable"),
+        ("dC_M=0.5", &[on], "undecided"),
+        ("dC_M=0.500000000000000000001", &[on], "unstable"),
+        ("dC_M=0.6", &[], "stable"),
+    ] {
+        let more = [&["--set", moment, "--format", "json"][..], option].concat();
+        let (status, out, err) = modes(&section, &more);
+        assert_eq!((status, err.as_str()), (Some(0), ""), "{moment}");
+        let json: Value = serde_json::from_str(&out).expect("JSON");
+        assert_eq!(json["verdict"], verdict, "{moment}: {out}");
+    }
+    for (method, warning) in [
+        ("exact", "these are the eigenvalues of the state matrix"),
+        ("closed", "aerodynamic stiffness is on"),
+        ("uniform", "aerodynamic stiffness is on"),
+    ] {
+        let (_, out, _) = modes(&section, &["--set", "dC_M=0.1", on, "--method", method]);
+        let out = out.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(out.contains(warning), "{method}: {out}");
+    }
+    let given = section.iter().filter(|own| !own.contains("C_"));
+    let given: Vec<&str> = given.copied().chain(["S_xx=1"]).collect();
+    let others = [
+        "S_xy=0", "S_xt=0", "S_yx=0", "S_yy=0", "S_yt=0", "S_tx=0", "S_ty=0", "S_tt=0",
+    ];
+    let given = [given, others.to_vec()].concat();
+    let (status, _, err) = modes(&given, &[on]);
+    assert!(
+        status == Some(2) && err.contains("give force coefficients"),
+        "{err}"
+    );
+
+    let (_, out, _) = run(&["speeds", "derivations/cases/stiff.toml", "--format", "csv"]);
+    assert!(
+        out.contains(",unstable\n14,9.8433") && out.contains(",divergent\n"),
+        "{out}"
+    );
+    let (status, _, err) = run(&["validity", "derivations/cases/stiff.toml"]);
+    assert!(
+        status == Some(2) && err.contains("aerodynamic_stiffness"),
+        "{err}"
+    );
+}

@@ -172,6 +172,7 @@ fn the_quoted_output_is_that_of_the_command() {
         "evaluate",
         "stability",
         "speeds",
+        "speeds",
     ];
     assert_eq!(commands, all);
 }

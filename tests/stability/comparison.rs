@@ -5,7 +5,7 @@ use std::path::Path;
 
 use sextic::report::gallery;
 use sextic::report::{csv, stability_figure, text};
-use sextic::stability::comparison::{Comparison, Method, compare};
+use sextic::stability::comparison::{Comparison, Method, Reason, compare};
 use sextic::stability::interpolation::CoefficientCurves;
 use sextic::stability::offset::against_offset;
 
@@ -15,7 +15,7 @@ use super::cases::{read, shipped_case, snapshots};
 type Edits = &'static [(&'static str, &'static str)];
 
 /// The variants of the cases that come with the project, as in `reference.py`.
-const VARIANTS: [(&str, &str, Edits); 9] = [
+const VARIANTS: [(&str, &str, Edits); 11] = [
     ("tuned", "tuned.toml", &[]),
     (
         "tuned, no eccentricity",
@@ -52,6 +52,9 @@ const VARIANTS: [(&str, &str, Edits); 9] = [
         "detuned.toml",
         &[("[\"x\", \"y\", \"theta\"]", "[\"y\", \"theta\"]")],
     ),
+    ("stiff", "stiff.toml", &[]),
+    // Above the speed at which it diverges at some angles.
+    ("stiff, strong wind", "stiff.toml", &[("U = 9", "U = 20")]),
 ];
 
 /// A variant every 10°.
@@ -143,7 +146,11 @@ fn methods_agree_within_their_errors_or_say_why_not() {
                 !own.reasons.is_empty(),
                 "{name}: {own:?}"
             );
-            assert!(own.method == Method::Closed || !is_wrong, "{name}: {own:?}");
+            let is_left_out = own.reasons.contains(&Reason::AerodynamicStiffness);
+            assert!(
+                own.method == Method::Closed || is_left_out || !is_wrong,
+                "{name}: {own:?}"
+            );
         }
     }
 }

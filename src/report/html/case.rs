@@ -6,7 +6,7 @@ use super::{CaseFiles, escape};
 use crate::report::figure::Figure;
 use crate::report::gallery::Named;
 use crate::report::stability::{
-    agreement, certain, conclusion, largest_error, mode, power, reasons, title,
+    agreement, certain, conclusion, frequency, largest_error, mode, power, reasons, title,
 };
 use crate::report::stability_figure;
 use crate::stability::comparison::{Comparison, Method, UnstableRange, angle};
@@ -133,7 +133,7 @@ fn unstable(own: &UnstableRange) -> UnstableView {
         angles: own.angles.to_string(),
         worst: format!("{}°", angle(own.worst)),
         damping: certain(own.damping),
-        frequency: mode_of.map_or(String::new(), |mode| format!("{:.4} Hz", mode.frequency)),
+        frequency: mode_of.map_or(String::new(), frequency),
         mode: mode_of.map_or(String::new(), mode),
     }
 }

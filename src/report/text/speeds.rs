@@ -1,6 +1,7 @@
 //! The critical wind speeds of a case, for a terminal.
 
 use crate::report::speeds::{SpeedsFound, conclusion, listed};
+use crate::report::stability::with_stiffness;
 use crate::stability::comparison::angle;
 use crate::stability::critical_speed::{Speeds, Stability};
 
@@ -12,8 +13,10 @@ use super::run::{Run, column};
 pub fn speeds(found: &SpeedsFound, width: usize) -> String {
     let mut page = Page::new(width);
     let title = format!(
-        "{}: wind speeds up to {} m/s",
-        found.case.file, found.highest
+        "{}: wind speeds up to {} m/s{}",
+        found.case.file,
+        found.highest,
+        with_stiffness(&found.case)
     );
     page.prose(&[], &[Run::words(title, STRONG)]);
     page.gap();
@@ -43,6 +46,7 @@ pub fn speeds(found: &SpeedsFound, width: usize) -> String {
 fn at_angle(speeds: &Speeds, highest: f64) -> String {
     let parts = [
         (Stability::Unstable, "gallops"),
+        (Stability::Divergent, "diverges"),
         (Stability::Undecided, "not decided"),
     ];
     let mut words: Vec<String> = parts

@@ -1,7 +1,7 @@
 //! Where a section gallops, and how the methods agree, for a terminal.
 
 use crate::report::stability::{
-    agreement, conclusion, decimal, largest_error, mode, power, reasons, title,
+    agreement, conclusion, decimal, frequency, largest_error, mode, power, reasons, title,
 };
 use crate::stability::comparison::{Comparison, Method, angle};
 
@@ -50,7 +50,7 @@ fn unstable(page: &mut Page, comparison: &Comparison) {
                     &own.angles.to_string(),
                     &format!("{}°", angle(own.worst)),
                     &decimal(own.damping.value, 4),
-                    &mode_of.map_or(String::new(), |mode| format!("{:.4} Hz", mode.frequency)),
+                    &mode_of.map_or(String::new(), frequency),
                     &mode_of.map_or(String::new(), mode),
                 ],
                 false,

@@ -3,7 +3,7 @@
     python3 tests/data/stability/reference.py > tests/data/stability/reference.csv
 
 Nothing is shared with the project: forces are those of the quasi-steady theory at a moving section, the
-damping matrix is their derivative by central differences, the spline is solved as a circulant system, and
+damping matrix is their derivative by central differences, and so is aerodynamic stiffness, the spline is solved as a circulant system, and
 eigenvalues are those of numpy.linalg.eigvals.
 """
 
@@ -29,6 +29,8 @@ VARIANTS = {
         [("structure", "zeta_x", 0.0), ("structure", "zeta_y", 0.0), ("structure", "zeta_theta", 0.0)],
     ),
     "detuned, heave and turn": ("detuned", [("structure", "free", ["y", "theta"])]),
+    "stiff": ("stiff", []),
+    "stiff, strong wind": ("stiff", [("wind", "U", 20.0)]),
 }
 
 
@@ -58,8 +60,8 @@ def spline(angles, values):
     return at
 
 
-def forces(case, coefficients, alpha_0, theta_0, velocity):
-    """F_x, F_y, F_theta on a section that moves."""
+def forces(case, coefficients, alpha_0, theta_0, velocity, turn=0.0):
+    """F_x, F_y, F_theta on a section that moves, or is turned."""
     s, w = case["section"], case["wind"]
     beta = np.radians(s["gamma_r_deg"]) + theta_0
     velocity_a = np.array(
@@ -72,7 +74,7 @@ def forces(case, coefficients, alpha_0, theta_0, velocity):
     speed = np.hypot(u, v)
     turned = np.arctan2(v, u) - alpha_0
     turned -= 2 * np.pi * np.round(turned / (2 * np.pi))
-    cd, cl, cm = (value + slope * turned for value, slope in coefficients)
+    cd, cl, cm = (value + slope * (turned + turn) for value, slope in coefficients)
     pressure = 0.5 * w["rho"] * s["D"] * speed**2
     along, across = np.array([u, v]) / speed, np.array([-v, u]) / speed
     drag_and_lift = pressure * (cd * along + cl * across)
@@ -106,6 +108,9 @@ def answers(case, curves, angle):
     zeta = np.array([t["zeta_x"], t["zeta_y"], t["zeta_theta"]])
     damping = c_a + np.diag(2 * inertia * omega * zeta)
     stiffness = np.diag(inertia * omega**2)
+    if w.get("aerodynamic_stiffness", False):
+        at_rest = lambda turn: forces(case, coefficients, alpha_0, theta_0, np.zeros(3), turn)
+        stiffness[:, 2] -= (at_rest(1e-3) - at_rest(-1e-3)) / 2e-3
     free = [["x", "y", "theta"].index(name) for name in t.get("free", ["x", "y", "theta"])]
     mass, damping, stiffness = (matrix[np.ix_(free, free)] for matrix in (mass, damping, stiffness))
     n = len(free)
