@@ -86,8 +86,9 @@ Signs: the wind blows along (cos alpha_0, sin alpha_0) in the plane of x and y. 
 at the distance L and the angle beta from the elastic centre O, at (-L cos beta, L sin beta), to
 (-L cos(beta + theta), L sin(beta + theta)); alpha_g and gamma_r are the beta of the mass centre G and of the
 aerodynamic centre A. The relative wind is that at A, and coefficients are read at the angle of attack
-alpha = alpha_0 + theta_0, which moves with the section if aerodynamic_stiffness = true. Drag is along the relative wind, lift 90 degrees anticlockwise from it, each
-rho D U^2 C/2; the moment is about O in the sense of theta, rho D^2 U^2 C_M/2.
+alpha = alpha_0 + theta_0, which moves with the section if aerodynamic_stiffness = true. Drag is along the
+relative wind, lift 90 degrees anticlockwise from it, each rho D U^2 C/2; the moment is about O in the sense of
+theta, rho D^2 U^2 C_M/2.
 
 Modes are numbered by their frequency at the first angle, the highest first, and followed by their shapes.
 
