@@ -51,6 +51,15 @@ impl Interval {
         .sign()
     }
 
+    /// All numbers from the least to the largest of two intervals.
+    #[must_use]
+    pub fn hull(&self, other: &Interval) -> Interval {
+        Interval {
+            low: (&self.low).min(&other.low).clone(),
+            high: (&self.high).max(&other.high).clone(),
+        }
+    }
+
     /// The middle of two intervals: half the sum.
     #[must_use]
     pub fn middle(&self, other: &Interval) -> Interval {

@@ -27,7 +27,7 @@ pub fn critical_speed(own: &CriticalSpeed, most: usize) -> String {
 
 /// The ends of a range as far as they are certain: critical speeds, and the ends of all that is looked at.
 pub fn ends(own: &SpeedRange, speeds: &Speeds, most: usize) -> [String; 2] {
-    let critical = speeds.critical();
+    let critical = &speeds.critical;
     let end = |speed: f64| {
         let beside = critical
             .iter()

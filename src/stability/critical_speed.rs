@@ -4,19 +4,18 @@ use rayon::prelude::*;
 
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::budget::{Budget, Exhausted};
-use crate::algebra::interval::{Interval, Intervals, KnownSign};
-use crate::algebra::number::{Integer, Rational};
+use crate::algebra::interval::Intervals;
+use crate::algebra::number::Rational;
 use crate::algebra::trigonometric_sum::TrigonometricSums;
 use crate::algebra::univariate::Univariate;
 
-use super::bernstein::Bernstein;
 use super::case::Case;
 use super::coefficient_table::CoefficientTable;
 use super::comparison::section_at;
 use super::exact_section::{ExactSection, InSpeed};
-use super::hurwitz::hurwitz_determinants;
 use super::input::InputError;
 use super::interpolation::CoefficientCurves;
+use super::speed_search::{Found, Part, parts};
 
 /// What is certain of a section at all wind speeds of a range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,25 +68,72 @@ pub struct CriticalSpeed {
 /// The wind speeds above 0 up to a highest one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Speeds {
-    /// Ranges in order. Between two that are decided and differ there is one critical speed.
+    /// Ranges in order. Speeds below 2⁻¹²⁰ of the highest may be in none of them.
     pub ranges: Vec<SpeedRange>,
+    /// The speeds at which stability changes for certain, in order, each between two ranges.
+    pub critical: Vec<CriticalSpeed>,
     /// Whether a motion neither grows nor dies out at any speed, exactly: then nothing is stable.
     pub is_neutral: bool,
 }
 
 impl Speeds {
-    /// The speeds at which stability changes for certain, in order.
-    pub fn critical(&self) -> Vec<CriticalSpeed> {
-        let changes = self
-            .ranges
-            .windows(2)
-            .filter(|pair| pair.iter().all(|own| own.stability != Stability::Undecided));
-        let critical = |pair: &[SpeedRange]| CriticalSpeed {
-            speed: (pair[0].to + pair[1].from) / 2.0,
-            error: (pair[1].from - pair[0].to).next_up() / 2.0 + pair[1].from * f64::EPSILON,
-            becomes: pair[1].stability,
+    /// Ranges and critical speeds by what is known of each part of the speeds up to a highest one.
+    fn new(parts: &[Part], highest: f64, is_neutral: bool) -> Self {
+        let found = |own: &Part| match own.found {
+            Found::Certain(Stability::Stable) if is_neutral => Found::Certain(Stability::Undecided),
+            found => found,
         };
-        changes.map(critical).collect()
+        let neighbour = |place: Option<usize>| match parts.get(place?).map(found) {
+            Some(Found::Certain(stability)) => Some(stability),
+            _ => None,
+        };
+        // A part is a multiple of a power of 2 of 41 digits, so that only the product is rounded.
+        let speed = |part: &Rational| part.to_f64().value() * highest;
+        let mut speeds = Speeds {
+            ranges: Vec::new(),
+            critical: Vec::new(),
+            is_neutral,
+        };
+        let mut is_continued = false;
+        for (place, own) in parts.iter().enumerate() {
+            let [low, high] = [speed(&own.from), speed(&own.to)];
+            let stability = match found(own) {
+                Found::Certain(stability) => stability,
+                Found::Change([below, above]) => {
+                    let neighbours = [place.checked_sub(1), place.checked_add(1)].map(neighbour);
+                    if neighbours == [Some(below), Some(above)] {
+                        speeds.critical.push(CriticalSpeed {
+                            speed: (low + high) / 2.0,
+                            error: (high.next_up() - low) / 2.0 + high * f64::EPSILON,
+                            becomes: above,
+                        });
+                        is_continued = false;
+                        continue;
+                    }
+                    Stability::Undecided
+                }
+            };
+            if stability == Stability::Undecided && own.is_lowest() {
+                continue;
+            }
+            let to = match own.to == Rational::ONE {
+                true => highest,
+                false => high.next_down(),
+            };
+            match speeds.ranges.last_mut() {
+                Some(last) if is_continued && last.stability == stability => last.to = to,
+                _ => speeds.ranges.push(SpeedRange {
+                    from: match own.from.is_zero() {
+                        true => 0.0,
+                        false => low.next_up(),
+                    },
+                    to,
+                    stability,
+                }),
+            }
+            is_continued = true;
+        }
+        speeds
     }
 }
 
@@ -101,10 +147,10 @@ const MOST_PRODUCTS: u64 = 1_000_000;
 ///
 /// The characteristic polynomial is a polynomial in U with exact coefficients, and so are Hurwitz'
 /// determinants. On a range of speeds they are above 0, or one is below, if their Bernstein coefficients
-/// are; a range on which neither is so is halved, down to 2⁻⁴⁰ of the highest speed. What is left is a
+/// are; a range on which neither is so is halved, down to 2⁻⁴⁰ of the speeds in it. What is left is a
 /// critical speed where the last determinant but one, which alone vanishes where a pair of roots becomes
-/// imaginary (Orlando), is monotonous and the earlier ones are above 0; else it is undecided. Speeds below
-/// the smallest part are not told from 0.
+/// imaginary (Orlando), is monotonous and the earlier ones are above 0. Else the roots are compared with lines
+/// beside the imaginary axis, by the determinants of the shifted polynomial; what that leaves is undecided.
 ///
 /// Likewise with the constant coefficient, the determinant of the stiffness, which aerodynamic stiffness may
 /// make negative: then an odd number of real roots is above 0, and where it vanishes one of them passes 0.
@@ -113,43 +159,22 @@ const MOST_PRODUCTS: u64 = 1_000_000;
 pub fn speeds(section: &ExactSection, highest: f64) -> Speeds {
     let unit = Rational::try_from(highest).unwrap_or_default();
     if unit <= Rational::ZERO {
-        return Speeds {
-            ranges: Vec::new(),
-            is_neutral: false,
-        };
+        return Speeds::new(&[], highest, false);
     }
-    let undecided = Speeds {
-        ranges: vec![SpeedRange {
-            from: 0.0,
-            to: highest,
-            stability: Stability::Undecided,
-        }],
-        is_neutral: false,
-    };
+    let mut found = Speeds::new(&[Part::undecided()], highest, false);
     let sums = TrigonometricSums::new(Budget::new(MOST_PRODUCTS));
     let Ok(polynomial) = section.characteristic_polynomial(&unit, &sums) else {
-        return undecided;
+        return found;
     };
     let stiffness = polynomial.first().cloned().unwrap_or_default();
     let Ok((polynomial, is_neutral)) = without_neutral_pairs(section, polynomial, &sums) else {
-        return undecided;
+        return found;
     };
-    let mut found = undecided;
     for bits in DIGITS {
-        let intervals = Intervals::new(bits);
-        let mut ranges = ranges(&polynomial, &stiffness, &intervals, highest);
-        if is_neutral {
-            let stable = |own: &&mut SpeedRange| own.stability == Stability::Stable;
-            ranges
-                .iter_mut()
-                .filter(stable)
-                .for_each(|own| own.stability = Stability::Undecided);
-        }
-        let is_open = ranges
-            .iter()
-            .any(|own| own.stability == Stability::Undecided);
-        found = Speeds { ranges, is_neutral };
-        if !is_open || is_neutral {
+        let parts = parts(&polynomial, &stiffness, &Intervals::new(bits));
+        found = Speeds::new(&parts, highest, is_neutral);
+        let is_open = |own: &SpeedRange| own.stability == Stability::Undecided;
+        if is_neutral || !found.ranges.iter().any(is_open) {
             break;
         }
     }
@@ -157,7 +182,8 @@ pub fn speeds(section: &ExactSection, highest: f64) -> Speeds {
 }
 
 /// The characteristic polynomial in powers of λ and of the speed, divided by λ² + ω² as often as a
-/// natural frequency ω allows, and whether one did.
+/// natural frequency ω allows, and whether a motion is neutral at all speeds: one of these, or all of them
+/// where there is no damping at all and the frequencies do not depend on the speed.
 fn without_neutral_pairs(
     section: &ExactSection,
     mut polynomial: Vec<InSpeed>,
@@ -165,7 +191,8 @@ fn without_neutral_pairs(
 ) -> Result<(Vec<InSpeed>, bool), Exhausted> {
     let in_speed = Univariate(sums);
     let in_lambda = Univariate(&in_speed);
-    let mut is_neutral = false;
+    let is_undamped = polynomial.iter().skip(1).step_by(2).all(Vec::is_empty);
+    let mut is_neutral = is_undamped && polynomial.iter().all(|powers| powers.len() <= 1);
     for pair in section.natural_pairs() {
         let powers = [&pair[0], &sums.zero(), &pair[1]];
         let pair: Vec<InSpeed> = powers
@@ -177,198 +204,6 @@ fn without_neutral_pairs(
         }
     }
     Ok((polynomial, is_neutral))
-}
-
-/// Ranges by the determinants H_1 to H_{n−1} of a polynomial of degree n, and the determinant of the stiffness,
-/// which has the sign of the constant coefficient: H_n has the sign of its product with H_{n−1}.
-fn ranges(
-    polynomial: &[InSpeed],
-    stiffness: &InSpeed,
-    intervals: &Intervals,
-    highest: f64,
-) -> Vec<SpeedRange> {
-    let in_speed = Univariate(intervals);
-    let enclosed = |powers: &InSpeed| -> Vec<Interval> {
-        in_speed.polynomial(powers.iter().map(|own| intervals.enclosure(own)).collect())
-    };
-    let coefficients: Vec<Vec<Interval>> = polynomial.iter().map(enclosed).collect();
-    let Ok(mut determinants) = hurwitz_determinants(&coefficients, &in_speed);
-    determinants.pop();
-    let forms = Forms {
-        stiffness: Bernstein::new(&enclosed(stiffness), intervals),
-        determinants: determinants
-            .iter()
-            .map(|own| Bernstein::new(own, intervals))
-            .collect(),
-    };
-    let vanishes = |own: &Vec<Interval>| {
-        let unknown = |own: &Interval| matches!(own.sign(), KnownSign::Zero | KnownSign::Unknown);
-        own.iter().all(unknown)
-    };
-    let mut search = Search {
-        places: Vec::new(),
-        boxes: 0,
-        is_any_vanishing: determinants.last().is_some_and(vanishes),
-    };
-    search.look(&forms, Integer::ZERO, 0);
-    search.ranges(highest)
-}
-
-/// What decides stability, as polynomials on a range of speeds.
-struct Forms {
-    /// The determinant of the stiffness.
-    stiffness: Bernstein,
-    /// H_1 to H_{n−1}.
-    determinants: Vec<Bernstein>,
-}
-
-impl Forms {
-    fn halves(&self) -> (Self, Self) {
-        let (lower, upper) = self.stiffness.halves();
-        let (below, above) = self.determinants.iter().map(Bernstein::halves).unzip();
-        let forms = |stiffness, determinants| Forms {
-            stiffness,
-            determinants,
-        };
-        (forms(lower, below), forms(upper, above))
-    }
-
-    /// What is certain on the whole range but for divergence.
-    fn by_determinants(&self) -> Stability {
-        let signs: Vec<KnownSign> = self.determinants.iter().map(Bernstein::sign).collect();
-        if signs.contains(&KnownSign::Negative) {
-            Stability::Unstable
-        } else if signs.iter().all(|own| *own == KnownSign::Positive) {
-            Stability::Stable
-        } else {
-            Stability::Undecided
-        }
-    }
-
-    /// The one change that a range may hold on which not all is certain: what is below and what is above it.
-    fn change(&self) -> Option<[Stability; 2]> {
-        let (form, [negative, positive]) = match (self.stiffness.sign(), self.by_determinants()) {
-            (KnownSign::Positive, Stability::Undecided) => {
-                let (last, earlier) = self.determinants.split_last()?;
-                let is_positive = |own: &Bernstein| own.sign() == KnownSign::Positive;
-                if !earlier.iter().all(is_positive) {
-                    return None;
-                }
-                (last, [Stability::Unstable, Stability::Stable])
-            }
-            (_, Stability::Undecided) => return None,
-            (_, decided) => (&self.stiffness, [Stability::Divergent, decided]),
-        };
-        match form.slope_sign() {
-            KnownSign::Positive => Some([negative, positive]),
-            KnownSign::Negative => Some([positive, negative]),
-            _ => None,
-        }
-    }
-}
-
-/// The smallest part of the highest speed is 2 to the power of minus this.
-const DEPTH: usize = 40;
-
-/// The most ranges that are looked at.
-const MOST_BOXES: usize = 20_000;
-
-/// What is known of the speeds from one multiple of the smallest part to another.
-struct PlaceRange {
-    from: Integer,
-    to: Integer,
-    found: Found,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Found {
-    Certain(Stability),
-    /// At most one change, from the one to the other.
-    Change([Stability; 2]),
-}
-
-struct Search {
-    places: Vec<PlaceRange>,
-    boxes: usize,
-    /// Whether a determinant vanishes at all speeds: then nothing can be isolated but divergence.
-    is_any_vanishing: bool,
-}
-
-impl Search {
-    /// Looks at the speeds from `place`/2^depth to one more.
-    fn look(&mut self, forms: &Forms, place: Integer, depth: usize) {
-        let certain = match (forms.stiffness.sign(), forms.by_determinants()) {
-            (KnownSign::Negative, _) => Some(Stability::Divergent),
-            (KnownSign::Positive, Stability::Undecided) if !self.is_any_vanishing => None,
-            (KnownSign::Positive, decided) => Some(decided),
-            _ => None,
-        };
-        let found = if let Some(stability) = certain {
-            Found::Certain(stability)
-        } else if depth == DEPTH || self.boxes >= MOST_BOXES {
-            let undecided = Found::Certain(Stability::Undecided);
-            forms.change().map_or(undecided, Found::Change)
-        } else {
-            self.boxes += 1;
-            let (lower, upper) = forms.halves();
-            let place = place << 1;
-            self.look(&lower, place.clone(), depth + 1);
-            self.look(&upper, place + Integer::ONE, depth + 1);
-            return;
-        };
-        let width = DEPTH - depth;
-        let (from, to) = (&place << width, (place + Integer::ONE) << width);
-        match self.places.last_mut() {
-            Some(last) if last.found == found => last.to = to,
-            _ => self.places.push(PlaceRange { from, to, found }),
-        }
-    }
-
-    /// The ranges in m/s; what holds the one change between its neighbours is left out.
-    fn ranges(&self, highest: f64) -> Vec<SpeedRange> {
-        let certain = |place: Option<&PlaceRange>| match place.map(|own| own.found) {
-            Some(Found::Certain(stability)) => Some(stability),
-            _ => None,
-        };
-        let mut ranges: Vec<SpeedRange> = Vec::new();
-        for (index, own) in self.places.iter().enumerate() {
-            let before = index
-                .checked_sub(1)
-                .and_then(|index| self.places.get(index));
-            let stability = match own.found {
-                Found::Certain(stability) => stability,
-                Found::Change([low, high]) => {
-                    let after = certain(self.places.get(index + 1));
-                    if certain(before) == Some(low) && after == Some(high) {
-                        continue;
-                    }
-                    Stability::Undecided
-                }
-            };
-            // The first part is not told from 0.
-            if own.from.is_zero() && own.to == Integer::ONE && stability == Stability::Undecided {
-                continue;
-            }
-            ranges.push(SpeedRange {
-                from: speed(&own.from, highest).next_up(),
-                to: speed(&own.to, highest).next_down(),
-                stability,
-            });
-        }
-        // What lies at the ends is known to them.
-        if let Some(first) = ranges.first_mut().filter(|own| own.from < highest * 1e-11) {
-            first.from = 0.0;
-        }
-        if let Some(last) = ranges.last_mut() {
-            last.to = highest;
-        }
-        ranges
-    }
-}
-
-fn speed(place: &Integer, highest: f64) -> f64 {
-    let part = Rational::from(place.clone()) / Rational::from(Integer::ONE << DEPTH);
-    part.to_f64().value() * highest
 }
 
 /// The speeds of a case at all its angles, in degrees.

@@ -31,6 +31,7 @@ mod schur;
 pub mod section;
 pub mod sensitivity;
 mod shape;
+mod speed_search;
 pub mod spline;
 pub mod state_matrix;
 pub mod tracking;

@@ -162,7 +162,7 @@ fn the_speed_of_divergence_is_that_of_the_turn_alone() {
             found.ranges.iter().all(|own| is_decided(own.stability)),
             "{found:?}"
         );
-        found.critical()
+        found.critical
     };
     for offset in [0.0, 0.1, 0.25] {
         let critical = found(Parameters {

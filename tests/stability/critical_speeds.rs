@@ -1,7 +1,7 @@
 //! Critical wind speeds, against bisection and by hand.
 
 use sextic::stability::coordinate::{Coordinate, FreeCoordinates};
-use sextic::stability::critical_speed::{Stability, speeds};
+use sextic::stability::critical_speed::{Speeds, Stability, speeds};
 use sextic::stability::eigenvalue::Spectrum;
 use sextic::stability::exact_section::ExactSection;
 use sextic::stability::model::Model;
@@ -84,7 +84,7 @@ fn critical_speeds_are_those_of_bisection() {
         let p = lightly_damped(&mut numbers);
         let section = Section::new(p).expect("a possible section");
         let found = speeds(&ExactSection::from(&section), HIGHEST);
-        let critical = found.critical();
+        let critical = &found.critical;
         for expected in by_bisection(&p) {
             let near = |own: f64| (own - expected).abs() < 1e-7 * HIGHEST;
             assert!(
@@ -92,7 +92,7 @@ fn critical_speeds_are_those_of_bisection() {
                 "{expected} {found:?} {p:?}"
             );
         }
-        for own in &critical {
+        for own in critical {
             assert!(own.error < 1e-9, "{own:?}");
             roots += 1;
             returns += usize::from(own.becomes == Stability::Stable);
@@ -125,15 +125,23 @@ fn critical_speeds_are_those_of_bisection() {
     );
 }
 
-/// Heave alone: 2ωζ + ρDU/(2m) (C_D + C_L′) = 0.
-#[test]
-fn the_critical_speed_of_heave_alone_is_den_hartogs() {
-    let p = Parameters {
+fn of(p: Parameters, highest: f64) -> Speeds {
+    let section = Section::new(p).expect("a possible section");
+    speeds(&ExactSection::from(&section), highest)
+}
+
+fn stabilities(found: &Speeds) -> Vec<Stability> {
+    found.ranges.iter().map(|own| own.stability).collect()
+}
+
+/// Heave alone.
+fn heave(damping_ratio: f64) -> Parameters {
+    Parameters {
         mass: 2.0,
         radius_of_gyration: 1.0,
         reference_dimension: 0.5,
         natural_frequencies: [0.0, 4.0, 0.0],
-        damping_ratios: [0.0, 0.01, 0.0],
+        damping_ratios: [0.0, damping_ratio, 0.0],
         air_density: 1.25,
         forces: Coefficients {
             drag: 1.0,
@@ -143,35 +151,136 @@ fn the_critical_speed_of_heave_alone_is_den_hartogs() {
         .into(),
         free: FreeCoordinates::new(&[Coordinate::Y]).expect("one"),
         ..Parameters::default()
-    };
-    let section = Section::new(p).expect("a possible section");
-    let found = speeds(&ExactSection::from(&section), 10.0);
-    let [critical] = found.critical()[..] else {
-        panic!("{found:?}");
-    };
-    let expected = 4.0 * 2.0 * 4.0 * 0.01 / (1.25 * 0.5 * 2.0);
-    assert!((critical.speed - expected).abs() <= critical.error + 1e-15);
-    assert_eq!(critical.becomes, Stability::Unstable);
+    }
+}
+
+/// 2ωζ + ρDU/(2m) (C_D + C_L′) = 0, however low that speed is beside the highest one.
+#[test]
+fn the_critical_speed_of_heave_alone_is_den_hartogs() {
+    for (ratio, highest) in [
+        (0.01, 10.0),
+        (0.01, 2e12),
+        (0.01, 1e30),
+        (1e-6, 3e8),
+        (1e-12, 100.0),
+        (1e-25, 100.0),
+    ] {
+        let found = of(heave(ratio), highest);
+        assert_eq!(
+            stabilities(&found),
+            [Stability::Stable, Stability::Unstable],
+            "{ratio} {highest}: {found:?}"
+        );
+        let [critical] = found.critical[..] else {
+            panic!("{found:?}");
+        };
+        let expected = 4.0 * 2.0 * 4.0 * ratio / (1.25 * 0.5 * 2.0);
+        let distance = (critical.speed - expected).abs();
+        assert!(distance <= critical.error + 1e-15 * expected);
+        assert!(
+            critical.error <= 1e-11 * expected,
+            "{critical:?} {ratio} {highest}"
+        );
+        assert_eq!(critical.becomes, Stability::Unstable);
+    }
+    // Lower than 2⁻¹²⁰ of the highest speed: in no range.
+    let found = of(heave(1e-25), 1e30);
+    assert_eq!(stabilities(&found), [Stability::Unstable]);
+    assert!(found.ranges[0].from > 1e-7 && found.ranges[0].from < 1e-6);
+    let p = heave(0.01);
     // Without structural damping it gallops at every speed, and without forces it is neutral.
     let undamped = Parameters {
         damping_ratios: [0.0; 3],
         ..p
     };
-    let found = speeds(
-        &ExactSection::from(&Section::new(undamped).expect("a section")),
-        10.0,
-    );
-    assert_eq!(found.ranges.len(), 1);
-    assert_eq!(found.ranges[0].stability, Stability::Unstable);
+    let found = of(undamped, 10.0);
+    let [range] = found.ranges[..] else {
+        panic!("{found:?}");
+    };
+    assert_eq!((range.from, range.stability), (0.0, Stability::Unstable));
     let idle = Parameters {
         forces: Coefficients::default().into(),
         ..undamped
     };
-    let found = speeds(
-        &ExactSection::from(&Section::new(idle).expect("a section")),
-        10.0,
-    );
+    let found = of(idle, 10.0);
     assert!(found.is_neutral && found.ranges[0].stability == Stability::Undecided);
+    // The same with all coordinates free and coupled.
+    let coupled = Parameters {
+        natural_frequencies: [3.0, 4.0, 5.0],
+        mass_centre_distance: 0.3,
+        free: FreeCoordinates::all(),
+        ..idle
+    };
+    let found = of(coupled, 10.0);
+    assert!(found.is_neutral && found.ranges[0].stability == Stability::Undecided);
+}
+
+/// A determinant touches 0 where two roots are as far to the right as two others to the left: nothing changes.
+#[test]
+fn where_roots_mirror_each_other_nothing_changes() {
+    let p = Parameters {
+        mass: 3.5,
+        radius_of_gyration: 0.0178,
+        reference_dimension: 0.05,
+        natural_frequencies: [std::f64::consts::TAU; 3],
+        damping_ratios: [0.2, 0.0, 0.002],
+        air_density: 1.25,
+        attitude: 0.5_f64.to_radians(),
+        forces: Coefficients {
+            drag: 1.0 + 0.5_f64.to_radians(),
+            lift: -1.0 - 2.0 * 0.5_f64.to_radians(),
+            drag_slope: 1.0,
+            lift_slope: -2.0,
+            ..Coefficients::default()
+        }
+        .into(),
+        ..Parameters::default()
+    };
+    let found = of(p, 100.0);
+    assert_eq!(stabilities(&found), [Stability::Unstable], "{found:?}");
+}
+
+/// Over all sizes of damping and speed, as far as doubles know it.
+#[test]
+fn critical_speeds_of_any_size_are_those_of_bisection() {
+    let mut numbers = Numbers::new(54);
+    let mut roots = 0;
+    for _ in 0..60 {
+        let size = numbers.scale(1e-9, 1e-3);
+        let usual = lightly_damped(&mut numbers);
+        let p = Parameters {
+            damping_ratios: usual.damping_ratios.map(|own| own * size),
+            aerodynamic_stiffness: false,
+            ..usual
+        };
+        let found = of(p, HIGHEST);
+        let is_stable = |speed: f64| largest_real_part(&p, speed).0 < 0.0;
+        for own in &found.critical {
+            let [below, above] = [own.speed * (1.0 - 1e-3), own.speed * (1.0 + 1e-3)];
+            assert_eq!(is_stable(above), own.becomes == Stability::Stable, "{p:?}");
+            assert_ne!(is_stable(below), is_stable(above), "{own:?} {p:?}");
+            roots += 1;
+        }
+        let speeds = (0..200).map(|own| HIGHEST * 10_f64.powf(f64::from(own) / 20.0 - 10.0));
+        for speed in speeds {
+            let range = found
+                .ranges
+                .iter()
+                .find(|own| own.from <= speed && speed <= own.to);
+            let (largest, error) = largest_real_part(&p, speed);
+            let expected = match (largest < -error, largest > error, range) {
+                (true, _, Some(_)) => Stability::Stable,
+                (_, true, Some(_)) => Stability::Unstable,
+                _ => continue,
+            };
+            assert_eq!(
+                range.map(|own| own.stability),
+                Some(expected),
+                "{speed} {p:?}"
+            );
+        }
+    }
+    assert!(roots > 20, "{roots} roots");
 }
 
 /// Perfectly tuned and centred, without structural damping: one motion is neutral at every speed, and the
@@ -210,7 +319,13 @@ fn speeds_that_make_no_sense_have_no_ranges() {
     for highest in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(speeds(&section, highest).ranges.is_empty());
     }
-    for highest in [1e-300, 1e300] {
-        assert!(!speeds(&section, highest).ranges.is_empty());
+    // From hardly any wind on, and beyond all winds: what is between is as it is with another highest speed.
+    let usual = speeds(&section, 100.0);
+    let vast = speeds(&section, 1e30);
+    assert!(!usual.critical.is_empty());
+    for (own, other) in usual.critical.iter().zip(&vast.critical) {
+        assert!((own.speed - other.speed).abs() <= own.error + other.error);
     }
+    let faint = speeds(&section, 1e-300);
+    assert_eq!(stabilities(&faint), [Stability::Stable]);
 }

@@ -52,7 +52,7 @@ fn at_angle((place, speeds): &(f64, Speeds)) -> AtAngle<'_> {
         to: own.to,
         verdict: own.stability.name(),
     });
-    let critical = speeds.critical().into_iter().map(|own| Critical {
+    let critical = speeds.critical.iter().map(|own| Critical {
         speed: own.speed,
         error: own.error,
         becomes: own.becomes.name(),
