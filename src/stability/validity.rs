@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use super::case::Case;
 use super::closed_form::{ClosedForm, Limitation, closed_form};
 use super::coefficient_table::CoefficientTable;
+use super::eigenvalue::Spectrum;
 use super::error::StabilityError;
 use super::exact_modes;
 use super::input::{InputError, Place};
@@ -12,7 +13,7 @@ use super::interpolation::CoefficientCurves;
 use super::model::Model;
 use super::section::{Coefficients, Parameters, Section};
 use super::uniform_form::{Order, uniform_form_of};
-use super::verdict::verdict;
+use super::verdict::{Verdict, verdict, verdict_by_errors};
 
 /// A form whose errors are looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -124,9 +125,10 @@ const COLUMNS: usize = 45;
 const ROWS: usize = 33;
 const POINTS: usize = 145;
 
-/// What a map shows of e and δ at least.
+/// What a map shows of e and δ at least, and what it does not go below.
 const ECCENTRICITIES: [f64; 2] = [1e-3, 0.9];
 const WINDS: [f64; 2] = [1e-5, 0.1];
+const LEAST: f64 = 1e-9;
 
 /// The map of a case.
 ///
@@ -178,7 +180,9 @@ pub fn validity(case: &Case, table: &CoefficientTable) -> Result<Validity, Input
     Ok(Validity {
         case: case.clone(),
         own: place,
-        own_departures: own.departures().map_err(no_answer)?,
+        own_departures: own
+            .departures(|section, spectrum| Some(verdict(section, spectrum)))
+            .map_err(no_answer)?,
         own_angles: own.sections.len(),
         angles: map.sections.len(),
         strength: map.strength(),
@@ -290,13 +294,13 @@ impl Sections {
         };
         let is_whole = |own: &Departure| own.answers == self.sections.len();
         Ok(moved
-            .departures()?
+            .departures(|_, spectrum| verdict_by_errors(spectrum))?
             .map(|own| own.filter(is_whole).unwrap_or(none)))
     }
 
-    fn departures(&self) -> Result<Departures, StabilityError> {
+    fn departures(&self, decide: Decide) -> Result<Departures, StabilityError> {
         let sections = self.sections.par_iter();
-        let shifts = sections.map(|&(angle, parameters)| Ok((angle, shifts(parameters)?)));
+        let shifts = sections.map(|&(angle, parameters)| Ok((angle, shifts(parameters, decide)?)));
         let shifts: Vec<(f64, Shifts)> = shifts.collect::<Result<_, StabilityError>>()?;
         Ok(Form::ALL.map(|form| {
             let own = |(angle, shifts): &(f64, Shifts)| Some((*angle, shifts[form as usize]?));
@@ -320,6 +324,9 @@ impl Sections {
     }
 }
 
+/// How signs are known: by exact arithmetic where need be, or only as far as the errors of the eigenvalues tell.
+type Decide = fn(&Section, &Spectrum) -> Option<Verdict>;
+
 /// The error of S over |S_a|, and whether its sign is wrong for certain.
 #[derive(Clone, Copy)]
 struct Shift {
@@ -331,7 +338,7 @@ struct Shift {
 type Shifts = [Option<Shift>; 3];
 
 /// What the forms make of a section, beside its exact modes and a certain verdict.
-fn shifts(parameters: Parameters) -> Result<Shifts, StabilityError> {
+fn shifts(parameters: Parameters, decide: Decide) -> Result<Shifts, StabilityError> {
     let section = Section::new(parameters)?;
     let model = Model::new(&section)?;
     let spectrum = exact_modes::eigenvalues(&model)?.spectrum;
@@ -341,13 +348,13 @@ fn shifts(parameters: Parameters) -> Result<Shifts, StabilityError> {
     if bound > LARGEST_BOUND * size {
         return Err(StabilityError::OutOfRange);
     }
-    let verdict = verdict(&section, &spectrum);
+    let verdict = decide(&section, &spectrum);
     Ok(Form::ALL.map(|form| {
         let value = form.of(&model).ok()?.largest_real_part();
         let value = section.damping_coefficient(value)?;
         Some(Shift {
             error: (value - exact).abs() / size,
-            is_wrong: verdict.refutes(value, ROUNDING * size),
+            is_wrong: verdict.is_some_and(|own| own.refutes(value, ROUNDING * size)),
         })
     }))
 }
@@ -369,9 +376,9 @@ fn speed_of_unit(parameters: &Parameters) -> f64 {
         / (parameters.air_density * parameters.reference_dimension)
 }
 
-/// A range that has a number within it; one that has no place there changes nothing.
+/// A range that has a number within it; one that is too small changes nothing.
 fn around([least, largest]: [f64; 2], number: f64) -> [f64; 2] {
-    match number > 0.0 {
+    match number >= LEAST {
         true => [least.min(number), largest.max(number)],
         false => [least, largest],
     }

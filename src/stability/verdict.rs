@@ -98,13 +98,18 @@ impl fmt::Display for Verdict {
 ///
 /// Where the errors leave it open, that of [`exact_verdict`].
 pub fn verdict(section: &Section, spectrum: &Spectrum) -> Verdict {
+    verdict_by_errors(spectrum).unwrap_or_else(|| exact_verdict(&ExactSection::from(section)))
+}
+
+/// The verdict that the errors of eigenvalues allow; `None` where they leave it open.
+pub fn verdict_by_errors(spectrum: &Spectrum) -> Option<Verdict> {
     let (part, error) = spectrum.largest_real_part();
     if part > error {
-        Verdict::Unstable(Proof::Errors)
+        Some(Verdict::Unstable(Proof::Errors))
     } else if part < -error {
-        Verdict::Stable(Proof::Errors)
+        Some(Verdict::Stable(Proof::Errors))
     } else {
-        exact_verdict(&ExactSection::from(section))
+        None
     }
 }
 
