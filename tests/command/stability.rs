@@ -483,6 +483,29 @@ fn critical_speeds_are_written_in_every_form() {
     assert!(out.contains("\n8,0.000000000,11.38"), "{out}");
     assert!(!out.contains("undecided"));
 
+    let plot = folder("speeds").join("speeds.svg");
+    let plot = plot.to_str().expect("a path");
+    let (status, out, err) = run(&["speeds", case, "--to", "40", "--plot", plot]);
+    assert_eq!((status, err.as_str()), (Some(0), ""));
+    // Neighbours share a line, with the range of their speeds.
+    assert!(out.contains("gallops up to 5.1948–"), "{out}");
+    assert!(out.lines().count() < 20, "{out}");
+    assert!(
+        out.contains("from the lowest wind speeds on: 0° to 8°, 21° to "),
+        "{out}"
+    );
+    let svg = std::fs::read_to_string(plot).expect("a figure");
+    let drawing = roxmltree::Document::parse(&svg).expect("well-formed SVG");
+    let shaded = drawing
+        .descendants()
+        .filter(|own| own.has_tag_name("polygon"));
+    // Two ranges of angles from 0 on, one from a critical speed on, and the legend.
+    assert!(shaded.count() >= 4, "{svg}");
+    for label in ["unstable", "critical wind speed", "U = 9 m/s of the case"] {
+        assert!(svg.contains(label), "{label}");
+    }
+    assert!(!svg.contains("not decided") && !svg.contains("NaN"));
+
     for to in ["0", "-1", "nan", "inf", "1e9", "fast"] {
         let (status, _, err) = run(&["speeds", case, "--to", to]);
         assert!(status == Some(2) && err.contains("--to"), "{to}: {err}");
