@@ -73,7 +73,8 @@ fn hatches(corners: &[(i32, i32)], distance: i32) -> Vec<[(i32, i32); 2]> {
         let mut crossings: Vec<(i32, i32)> = edges.iter().filter_map(crossing).collect();
         crossings.sort_unstable();
         let within = crossings.chunks_exact(2);
-        strokes.extend(within.map(|pair| [pair[0], pair[1]]));
+        let own = within.map(|pair| [pair[0], pair[1]]);
+        strokes.extend(own.filter(|[from, to]| from != to));
     }
     strokes
 }
