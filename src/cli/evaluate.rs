@@ -16,13 +16,14 @@ use crate::report::evaluation::Evaluation;
 use crate::report::{json, text};
 
 use super::Outcome;
-use super::generate::{differs, fixed, refused, unknown};
+use super::generate::{FixedParser, differs, refused, unknown};
 use super::output::{Results, complain, finish, width, wrong};
 use super::source::audit_all;
 
 /// Computes what a document derives, at one point
 ///
 /// The evaluators are those that `sextic generate` writes, and the numbers are the same bit for bit.
+/// What the document says of an evaluator, such as where its formula may be used, stands above them.
 /// Quantities are in SI units, angles in radians; numbers are decimals or fractions.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
@@ -32,7 +33,7 @@ pub struct Arguments {
     name: Option<String>,
 
     /// A quantity and its value; may be given several times
-    #[arg(long, value_name = "NAME=VALUE", value_parser = fixed, allow_hyphen_values = true)]
+    #[arg(long, value_name = "NAME=VALUE", value_parser = FixedParser, allow_hyphen_values = true)]
     set: Vec<Fixed>,
 
     /// A Markdown document; without one, those that come with the command
@@ -90,7 +91,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
                 complain(&format!("{name} does not need {unused}\n"));
             }
             let written = match arguments.format {
-                Results::Text => text::evaluation(&evaluation),
+                Results::Text => text::evaluation(&evaluation, width(None)),
                 Results::Json => json::evaluation(&evaluation),
             };
             finish(&written, Outcome::AsExpected)
@@ -157,6 +158,8 @@ fn evaluate(name: &str, set: &[Fixed], audit: &mut Audit) -> Result<Evaluation, 
     let names = specification.names().map(str::to_string);
     Ok(Evaluation {
         evaluator: name.to_string(),
+        equations: evaluator.equations.clone(),
+        description: evaluator.title.clone(),
         inputs: names
             .filter_map(|name| Some((name.clone(), *values.get(&name)?)))
             .collect(),

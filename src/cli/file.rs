@@ -48,3 +48,14 @@ pub fn write_text(path: &Path, text: &str) -> io::Result<()> {
     file.persist(&path).map_err(|error| error.error)?;
     Ok(())
 }
+
+/// Writes what was made; the outcome is that after what is wrong was written to standard error.
+pub fn write_made(path: &Path, made: Result<String, String>) -> Result<(), Outcome> {
+    let written = made.and_then(|text| write_text(path, &text).map_err(|error| reason(&error)));
+    written.map_err(|reason| {
+        wrong(
+            &format!("`{}` cannot be written: {reason}", path.display()),
+            "name a file in a folder that is there and that you may write to",
+        )
+    })
+}

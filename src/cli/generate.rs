@@ -1,8 +1,11 @@
 //! `sextic generate`: what a document derives, as source text.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::builder::TypedValueParser;
+use clap::error::ErrorKind;
+use clap::{Arg, Args, Command};
 use indicatif::{ProgressBar, ProgressStyle};
 use sextic_codegen::language::{File, Language};
 
@@ -47,7 +50,7 @@ pub struct Arguments {
 
     /// Fix a quantity: an exact decimal or fraction in SI units, angles in radians; may be given several
     /// times
-    #[arg(long, value_name = "NAME=VALUE", value_parser = fixed, allow_hyphen_values = true)]
+    #[arg(long, value_name = "NAME=VALUE", value_parser = FixedParser, allow_hyphen_values = true)]
     fix: Vec<Fixed>,
 
     /// At how many points the rounding error is measured; 0 measures nothing, which the text then says
@@ -65,10 +68,10 @@ pub struct Arguments {
 
 const EXAMPLES: &str = "\
 Examples:
-  sextic generate --out here --language rust                      all that the documents of the command compile
+  sextic generate --out here --language rust             all that the documents compile
   sextic generate --out here --language c --only closed_form --fix m=3.5 --fix r=0.0178
-  sextic generate --out here --language rust --check              are these files proven, and up to date?
-  sextic generate plate.md --out here --language python           a document of your own";
+  sextic generate --out here --language rust --check     are these files proven, and up to date?
+  sextic generate plate.md --out here --language python  a document of your own";
 
 fn language(text: &str) -> Result<Language, String> {
     text.parse().map_err(|_| {
@@ -80,12 +83,39 @@ fn language(text: &str) -> Result<Language, String> {
     })
 }
 
-/// `r=0.0178`
-pub(super) fn fixed(text: &str) -> Result<Fixed, String> {
+/// Reads `r=0.0178`; what is wrong with a long text is said without all of it.
+#[derive(Clone, Debug)]
+pub(super) struct FixedParser;
+
+impl TypedValueParser for FixedParser {
+    type Value = Fixed;
+
+    fn parse_ref(
+        &self,
+        command: &Command,
+        argument: Option<&Arg>,
+        value: &OsStr,
+    ) -> Result<Fixed, clap::Error> {
+        /// So much of a text is repeated.
+        const SHOWN: usize = 60;
+        let text = value.to_string_lossy();
+        fixed(&text).map_err(|reason| {
+            let mut shown: String = text.chars().take(SHOWN).collect();
+            if shown.len() < text.len() {
+                shown.push('…');
+            }
+            let option = argument.map_or(String::new(), |own| format!(" for '{own}'"));
+            let message = format!("invalid value '{shown}'{option}: {reason}\n");
+            clap::Error::raw(ErrorKind::ValueValidation, message).with_cmd(command)
+        })
+    }
+}
+
+fn fixed(text: &str) -> Result<Fixed, String> {
     text.parse().map_err(|error| match error {
         Unfixed::Form => "write `name=value`, such as `r=0.0178`".to_string(),
         Unfixed::Number(_) => {
-            "the value must be an exact decimal or fraction, such as 0.0178, 1e-3 or 1/3"
+            "the value must be an exact decimal or fraction of at most 400 digits, such as 0.0178, 1e-3 or 1/3"
                 .to_string()
         }
     })

@@ -132,6 +132,19 @@ mod tests {
         Arguments::command().debug_assert();
     }
 
+    /// Longer lines would be broken within a table or an example.
+    #[test]
+    fn help_is_no_wider_than_it_is_shown() {
+        const COLUMNS: usize = 100;
+        for command in Arguments::command().get_subcommands() {
+            let help = command.get_after_help().map(ToString::to_string);
+            for line in help.unwrap_or_default().lines() {
+                let name = command.get_name();
+                assert!(line.chars().count() <= COLUMNS, "{name}: {line}");
+            }
+        }
+    }
+
     #[test]
     fn wrong_input_outweighs_all() {
         assert!(Outcome::WrongInput > Outcome::Differs);

@@ -8,7 +8,7 @@ use sextic_codegen::language::literal::Decimal;
 
 use crate::algebra::number::Rational;
 use crate::compile::fixed::Fixed;
-use crate::report::modes::ModesFound;
+use crate::report::modes::{ModeFound, ModesFound};
 use crate::report::{json, text};
 use crate::stability::closed_form::{ClosedForm, Limitation, closed_form};
 use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
@@ -18,12 +18,13 @@ use crate::stability::exact_section::ExactSection;
 use crate::stability::model::Model;
 use crate::stability::quantities::{names, needed, parameters};
 use crate::stability::section::{Parameters, Section};
+use crate::stability::tracking::{Mode, places};
 use crate::stability::uniform_form::uniform_form;
 use crate::stability::verdict::{Verdict, exact_verdict};
 use crate::stability::{companion, exact_modes, state_matrix};
 
 use super::Outcome;
-use super::generate::{fixed, unknown};
+use super::generate::{FixedParser, unknown};
 use super::output::{Results, finish, wrong};
 
 /// Computes the modes of one section in the wind
@@ -31,12 +32,13 @@ use super::output::{Results, finish, wrong};
 /// Eigenvalues are in 1/s, one of each pair of conjugates: the real part is the growth, the imaginary
 /// part the circular frequency. Quantities are in SI units, angles in radians, derivatives per radian;
 /// numbers are decimals or fractions. Whether the section is stable is decided in exact arithmetic for
-/// the numbers as they are written.
+/// the numbers as they are written; eigenvalues and the bounds of their errors are those of the section
+/// whose quantities are the doubles nearest to them.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
     /// A quantity and its value; may be given several times
-    #[arg(long, value_name = "NAME=VALUE", value_parser = fixed, allow_hyphen_values = true)]
+    #[arg(long, value_name = "NAME=VALUE", value_parser = FixedParser, allow_hyphen_values = true)]
     set: Vec<Fixed>,
 
     /// How the modes are found
@@ -46,6 +48,10 @@ pub struct Arguments {
     /// Let the angle of attack follow the turn of the section
     #[arg(long)]
     aerodynamic_stiffness: bool,
+
+    /// Show how each mode moves, too: x, y and r theta, the largest of them 1
+    #[arg(long)]
+    shapes: bool,
 
     /// How the numbers are written
     #[arg(long, value_enum, default_value_t = Results::Text)]
@@ -70,15 +76,32 @@ enum Method {
 const EXAMPLES: &str = "\
 Names:
   m, r, L_g, alpha_g, theta_0, omega_x, omega_y, omega_theta; zeta_x, zeta_y, zeta_theta unless the
-  method is closed; U, and unless it is 0: rho, D, alpha_0, L_a, gamma_r, C_D, C_L, C_M, dC_D, dC_L, dC_M;
-  in place of the last nine the entries of the scaled damping matrix (18) may be given by rows:
-  S_xx, S_xy, S_xt, S_yx, S_yy, S_yt, S_tx, S_ty, S_tt
+  method is closed; U, and unless it is 0: rho, D, alpha_0, L_a, gamma_r, C_D, C_L, C_M, dC_D, dC_L,
+  dC_M; in place of the last nine the entries of the scaled damping matrix (18) may be given by
+  rows: S_xx, S_xy, S_xt, S_yx, S_yy, S_yt, S_tx, S_ty, S_tt
+
+Errors:
+  state, companion, exact  what rounding may cost; numbers are shown as far as they are certain
+  closed, uniform          also what the formula leaves out; six digits are shown, however far off
+  Both are bounds for the section whose quantities are the doubles nearest to the numbers given. The
+  verdict is for these numbers themselves, by whichever method the modes are found.
+
+Shapes (state, companion, exact):
+  The entries have an amplitude and a phase in degrees by which they are ahead of the largest, 1.
+  They are computed in doubles and have no bound of their error.
+
+Members of --format json:
+  eigenvalues  re and im in 1/s; error, the bound above, in 1/s, or null where there is none;
+               with --shapes also shape: x, y and r_theta, each with re and im, or null
+  s3d          -4 m max(re)/(rho D U), or null without wind
+  verdict      stable, unstable or undecided, with its reason
+  warnings     what speaks against the method for this section, and what was given in vain
 
 Examples:
   sextic modes --set m=3.5 --set r=0.0178 --set L_g=0.004 --set alpha_g=0.5 --set theta_0=0 \\
     --set omega_x=6 --set omega_y=5.3 --set omega_theta=5.4 \\
     --set zeta_x=0 --set zeta_y=0 --set zeta_theta=0 --set U=0
-  sextic modes … --method exact --format json | jq .eigenvalues";
+  sextic modes … --method exact --shapes --format json | jq .eigenvalues";
 
 /// Finds the modes and writes them.
 pub fn run(arguments: &Arguments) -> Outcome {
@@ -122,28 +145,28 @@ fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
     });
     let verdict = exact_verdict(&exact.map_err(refuse)?);
     let spectrum = |found: Result<Spectrum, StabilityError>| found.map_err(refuse);
+    let is_formula = matches!(arguments.method, Method::Closed | Method::Uniform);
+    if arguments.shapes && is_formula {
+        return Err(wrong(
+            "the formulas give eigenvalues and no mode shapes",
+            "`--method state`, `exact` and `companion` give shapes",
+        ));
+    }
+    let by_spectrum = |method, spectrum: &Spectrum| {
+        by_spectrum(method, spectrum, &model, verdict, arguments.shapes)
+    };
     let mut found = match arguments.method {
-        Method::Companion => by_spectrum(
-            "companion",
-            &spectrum(companion::eigenvalues(&model))?,
-            &section,
-            verdict,
-        ),
+        Method::Companion => by_spectrum("companion", &spectrum(companion::eigenvalues(&model))?),
         Method::Exact => {
             let ExactModes { spectrum, fallback } =
                 exact_modes::eigenvalues(&model).map_err(refuse)?;
-            let mut found = by_spectrum("exact", &spectrum, &section, verdict);
+            let mut found = by_spectrum("exact", &spectrum);
             found.warnings.extend(fallback.map(|own| own.to_string()));
             found
         }
         Method::Closed => by_form("closed", closed_form(&section), &model, verdict)?,
         Method::Uniform => by_form("uniform", uniform_form(&model), &model, verdict)?,
-        Method::State => by_spectrum(
-            "state",
-            &spectrum(state_matrix::eigenvalues(&model))?,
-            &section,
-            verdict,
-        ),
+        Method::State => by_spectrum("state", &spectrum(state_matrix::eigenvalues(&model))?),
     };
     // What a form leaves out is used by its warnings and bounds.
     let used = needed(&values, true);
@@ -191,9 +214,15 @@ fn by_form(
             damping.map(|damping| (damping, None))
         }
     };
+    let mode = |(value, error)| ModeFound {
+        value,
+        error,
+        shape: None,
+    };
     Ok(ModesFound {
         method,
-        eigenvalues: pairs,
+        is_formula: true,
+        modes: pairs.into_iter().map(mode).collect(),
         damping_coefficient: damping,
         verdict,
         warnings: form.warnings.iter().map(ToString::to_string).collect(),
@@ -203,21 +232,39 @@ fn by_form(
 fn by_spectrum(
     method: &'static str,
     spectrum: &Spectrum,
-    section: &Section,
+    model: &Model,
     verdict: Verdict,
+    with_shapes: bool,
 ) -> ModesFound {
+    let section = model.section();
     let damping = spectrum.damping_coefficient(section);
-    let is_undecided = damping.is_some_and(|(damping, error)| damping.abs() <= error);
-    let pairs = spectrum.one_of_each_pair();
+    let mut warnings = Vec::new();
+    if damping.is_some_and(|(damping, error)| damping.abs() <= error) {
+        warnings.push("S_3D is smaller than its error: its sign is not certain".to_string());
+    }
+    let places = places(spectrum);
+    if with_shapes && places.iter().any(|(_, place)| place.is_some()) {
+        let what = "modes coincide within their errors: their shapes are some of many, and those of a \
+                    defective section are fewer than its modes";
+        warnings.push(what.to_string());
+    }
+    let shape = |value, place| {
+        let mode = Mode::new(model, value, place)?;
+        let free = section.free().iter().copied();
+        Some(free.zip(mode.shape).collect())
+    };
+    let mode = |(own, place): (Eigenvalue, _)| ModeFound {
+        value: own.value,
+        error: Some(own.error),
+        shape: with_shapes.then(|| shape(own.value, place)),
+    };
     ModesFound {
         method,
-        eigenvalues: pairs.map(|own| (own.value, Some(own.error))).collect(),
+        is_formula: false,
+        modes: places.into_iter().map(mode).collect(),
         damping_coefficient: damping.map(|(damping, error)| (damping, Some(error))),
         verdict,
-        warnings: is_undecided
-            .then(|| "S_3D is smaller than its error: its sign is not certain".to_string())
-            .into_iter()
-            .collect(),
+        warnings,
     }
 }
 

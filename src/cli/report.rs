@@ -6,20 +6,25 @@ use clap::Args;
 
 use crate::report::gallery::of_case;
 use crate::report::html::{self, CaseFiles, Request};
+use crate::report::speeds::SpeedsFound;
 use crate::report::summary::Summary;
 use crate::stability::comparison::compare;
+use crate::stability::critical_speed::speeds_of;
+use crate::stability::validity::validity;
 
 use super::Outcome;
 use super::case::{case_and_files, refuse};
-use super::file::write_text;
-use super::output::{complain, finish, reason, wrong};
+use super::file::write_made;
+use super::output::{complain, finish};
 use super::source::audit_all;
+use super::speeds::USUAL_HIGHEST;
 
 /// Writes a derivation, its verdicts and a case as one HTML file
 ///
 /// The page has the prose of the document, its equations typeset, every assertion with its verdict,
 /// conditions, neglected terms or counterexample, the matching, and with `--case` the curves of a section,
-/// where it gallops, and how the methods agree. It names the commands and the SHA-256 of the files that
+/// where it gallops, how the methods agree, its critical wind speeds, and where the closed forms may be
+/// trusted. It names the commands and the SHA-256 of the files that
 /// give each number again. It needs no network and no script.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
@@ -55,9 +60,18 @@ pub fn run(arguments: &Arguments) -> Outcome {
         let (case, table, files) = case_and_files(path)?;
         let comparison = compare(&case, &table).map_err(|error| refuse(&error))?;
         let figures = of_case(&comparison, &table).map_err(|error| refuse(&error))?;
+        let speeds = SpeedsFound {
+            angles: speeds_of(&case, &table, USUAL_HIGHEST).map_err(|error| refuse(&error))?,
+            case: case.clone(),
+            highest: USUAL_HIGHEST,
+        };
+        // That a coordinate is held is no reason against the rest of the page.
+        let validity = validity(&case, &table).map_err(|error| error.what);
         Ok(CaseFiles {
             comparison,
             figures,
+            speeds,
+            validity,
             files,
         })
     });
@@ -76,13 +90,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
         version: env!("CARGO_PKG_VERSION"),
     };
     let path = &arguments.out;
-    let written = html::page(&request)
-        .and_then(|page| write_text(path, &page).map_err(|error| reason(&error)));
-    if let Err(reason) = written {
-        return wrong(
-            &format!("`{}` cannot be written: {reason}", path.display()),
-            "name a file in a folder that is there and that you may write to",
-        );
+    if let Err(outcome) = write_made(path, html::page(&request)) {
+        return outcome;
     }
     let mut outcome = Outcome::AsExpected;
     for audit in audits.iter().filter(|audit| !audit.as_expected()) {

@@ -5,11 +5,12 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use crate::report::speeds::SpeedsFound;
-use crate::report::{csv, json, text};
+use crate::report::{csv, json, speeds_figure, text};
 use crate::stability::critical_speed::speeds_of;
 
 use super::Outcome;
 use super::case::{case_and_table, refuse};
+use super::file::write_made;
 use super::output::{finish, width};
 
 /// Finds the critical wind speeds of a case, all of them
@@ -26,17 +27,24 @@ pub struct Arguments {
     case: PathBuf,
 
     /// The highest wind speed, in m/s
-    #[arg(long, value_name = "SPEED", default_value = "100", value_parser = speed, allow_hyphen_values = true)]
+    #[arg(long, value_name = "SPEED", default_value_t = USUAL_HIGHEST, value_parser = speed, allow_hyphen_values = true)]
     to: f64,
 
     /// How the results are written
     #[arg(long, value_enum, default_value_t = Form::Text)]
     format: Form,
 
+    /// Also draw the speeds over the angle, as SVG
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
+
     /// How many columns text may fill (at least 40); as many as the terminal has if not given
     #[arg(long, value_name = "COLUMNS", value_parser = clap::value_parser!(u16).range(40..))]
     width: Option<u16>,
 }
+
+/// In m/s: faster than wind that a section must bear.
+pub const USUAL_HIGHEST: f64 = 100.0;
 
 /// How speeds are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -53,16 +61,17 @@ const EXAMPLES: &str = "\
 Verdicts:
   stable     every eigenvalue has a negative real part, at all speeds of the range
   unstable   one has a positive real part, at all speeds of the range
-  divergent  one is real and above 0: with aerodynamic stiffness the wind turns the section over, without any
-             oscillation, and whether it gallops beside that or not
-  undecided  neither is shown: a real part that is exactly 0 at every speed, or speeds closer than 1e-12 of
-             the highest one
+  divergent  one is real and above 0: with aerodynamic stiffness the wind turns the section over,
+             without any oscillation, and whether it gallops beside that or not
+  undecided  none is shown: a real part that is exactly 0 at every speed, or speeds closer than
+             1e-12 of themselves
 
-Rows of --format csv are ranges of speeds, with as many decimals as are certain. Between ranges that are
-decided and differ there is exactly one critical speed.
+Rows of --format csv are ranges of speeds, with as many decimals as are certain. Between ranges that
+are decided and differ there is exactly one critical speed.
 
 Examples:
   sextic speeds case.toml
+  sextic speeds case.toml --to 40 --plot speeds.svg
   sextic speeds case.toml --to 40 --format json | jq '.points[].critical'";
 
 /// Finds the speeds and writes them.
@@ -80,6 +89,11 @@ pub fn run(arguments: &Arguments) -> Outcome {
         highest: arguments.to,
         angles,
     };
+    if let Some(path) = &arguments.plot
+        && let Err(outcome) = write_made(path, speeds_figure::figure(&found).svg())
+    {
+        return outcome;
+    }
     let written = match arguments.format {
         Form::Text => text::speeds(&found, width(arguments.width)),
         Form::Csv => csv::speeds(&found),

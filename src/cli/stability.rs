@@ -9,8 +9,8 @@ use crate::stability::comparison::{Comparison, compare};
 
 use super::Outcome;
 use super::case::{case_and_table, refuse};
-use super::file::write_text;
-use super::output::{finish, reason, width, wrong};
+use super::file::write_made;
+use super::output::{finish, width};
 
 /// Shows at which angles a section gallops, and how the methods agree
 ///
@@ -82,20 +82,22 @@ A case file:
   alpha_deg = { from = 0, to = 180, step = 0.5 }
   turn = \"section\"                # alpha turns the section (theta_0), or \"wind\" (alpha_0)
 
-Signs: the wind blows along (cos alpha_0, sin alpha_0) in the plane of x and y. Positive theta moves a point
-at the distance L and the angle beta from the elastic centre O, at (-L cos beta, L sin beta), to
-(-L cos(beta + theta), L sin(beta + theta)); alpha_g and gamma_r are the beta of the mass centre G and of the
-aerodynamic centre A. The relative wind is that at A, and coefficients are read at the angle of attack
-alpha = alpha_0 + theta_0, which moves with the section if aerodynamic_stiffness = true. Drag is along the
-relative wind, lift 90 degrees anticlockwise from it, each rho D U^2 C/2; the moment is about O in the sense of
-theta, rho D^2 U^2 C_M/2.
+Signs: the wind blows along (cos alpha_0, sin alpha_0) in the plane of x and y. Positive theta moves
+a point at the distance L and the angle beta from the elastic centre O, at (-L cos beta, L sin
+beta), to (-L cos(beta + theta), L sin(beta + theta)); alpha_g and gamma_r are the beta of the mass
+centre G and of the aerodynamic centre A. The relative wind is that at A, and coefficients are read
+at the angle of attack alpha = alpha_0 + theta_0, which moves with the section if
+aerodynamic_stiffness = true. Drag is along the relative wind, lift 90 degrees anticlockwise from
+it, each rho D U^2 C/2; the moment is about O in the sense of theta, rho D^2 U^2 C_M/2.
 
-Modes are numbered by their frequency at the first angle, the highest first, and followed by their shapes.
+Modes are numbered by their frequency at the first angle, the highest first, and followed by their
+shapes.
 
-Columns of --format csv: s3d_exact (state matrix), s3d_companion, s3d_closed, s3d_uniform; error_exact and
-error_companion, within which what is exact lies of the number that is printed; verdict (stable, unstable
-or undecided, certain for the numbers as doubles: by the errors, or by exact arithmetic); number and frequency of the
-mode with the least damping; S and frequency of every mode.
+Columns of --format csv: s3d_exact (state matrix), s3d_companion, s3d_closed, s3d_uniform;
+error_exact and error_companion, within which what is exact lies of the number that is printed;
+verdict (stable, unstable or undecided, certain for the numbers as doubles: by the errors, or by
+exact arithmetic); number and frequency of the mode with the least damping; S and frequency of every
+mode.
 
 Exit status:
   0  the case was computed, whether the section gallops or not
@@ -107,15 +109,10 @@ pub fn run(arguments: &Arguments) -> Outcome {
         Ok(comparison) => comparison,
         Err(outcome) => return outcome,
     };
-    if let Some(path) = &arguments.plot {
-        let drawn = stability_figure::figure(&comparison).svg();
-        let written = drawn.and_then(|svg| write_text(path, &svg).map_err(|error| reason(&error)));
-        if let Err(reason) = written {
-            return wrong(
-                &format!("`{}` cannot be written: {reason}", path.display()),
-                "name a file in a folder that is there and that you may write to",
-            );
-        }
+    if let Some(path) = &arguments.plot
+        && let Err(outcome) = write_made(path, stability_figure::figure(&comparison).svg())
+    {
+        return outcome;
     }
     let written = match arguments.format {
         Curves::Text => text::comparison(&comparison, width(arguments.width)),

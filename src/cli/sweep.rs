@@ -67,19 +67,23 @@ enum Method {
 
 const EXAMPLES: &str = "\
 Quantities, as in a case file or in SI units and radians:
-  alpha_deg, D, m, r, L_g, alpha_g_deg or alpha_g, L_a, gamma_r_deg or gamma_r, rho, U; f_x, f_y, f_theta
-  or omega_x, omega_y, omega_theta, and f or omega_n for all three; zeta_x, zeta_y, zeta_theta, and zeta
-  for all three; C_D, C_L, C_M, dC_D, dC_L, dC_M (per radian) in place of what the table says
+  alpha_deg, D, m, r, L_g, alpha_g_deg or alpha_g, L_a, gamma_r_deg or gamma_r, rho, U; f_x, f_y,
+  f_theta or omega_x, omega_y, omega_theta, and f or omega_n for all three; zeta_x, zeta_y,
+  zeta_theta, and zeta for all three; C_D, C_L, C_M, dC_D, dC_L, dC_M (per radian) in place of what
+  the table says
 
 Columns, after the quantities and the angle, as far as their methods are asked:
-  s3d_exact (state matrix), s3d_companion, s3d_closed, s3d_uniform: S_3D; empty where a method does not apply
+  s3d_exact (state matrix), s3d_companion, s3d_closed, s3d_uniform: S_3D; empty where a method does
+  not apply
   error_exact, error_companion: what is exact is no farther from the number that is printed
   frequency_hz, mostly: of the mode with the least damping, and the coordinate that moves most in it
-  closed_limits, uniform_limits: what speaks against the form, in words: held (a coordinate), detuned,
-  damped (structural damping is left out), stiffness (aerodynamic stiffness is), eccentricity (below the
-  aerodynamic damping), strong (damping)
+  closed_limits, uniform_limits: what speaks against the form, in words: held (a coordinate),
+  detuned, damped (structural damping is left out), stiffness (aerodynamic stiffness is),
+  eccentricity (below the aerodynamic damping), sign (S is as small as what is left out), strong
+  (damping)
 
-An interrupted sweep says so, and leaves its rows in a file beside the other one, whose name ends in .part.
+An interrupted sweep says so, and leaves its rows in a file whose name ends in .part, beside
+the other one.
 
 Examples:
   sextic sweep case.toml --vary L_g=0:0.004:200 --vary U=2:40:200 --worst --out sweep.csv
@@ -88,7 +92,7 @@ Examples:
 
 Exit status:
   0  all rows were computed
-  2  the input is wrong, or the file cannot be written; rows that were written are kept to go on with";
+  2  the input is wrong, or the file cannot be written; rows that were written are kept";
 
 /// About so many points are computed between writes.
 const BLOCK: u64 = 16_384;

@@ -9,8 +9,8 @@ use crate::stability::validity::validity;
 
 use super::Outcome;
 use super::case::{case_and_table, refuse};
-use super::file::write_text;
-use super::output::{finish, reason, width, wrong};
+use super::file::write_made;
+use super::output::{finish, width};
 use super::stability::Curves;
 
 /// Shows where the closed forms of a case may be trusted
@@ -44,11 +44,11 @@ Examples:
   sextic validity case.toml --plot map.svg
   sextic validity case.toml --format csv > map.csv
 
-The error of a form is that of S_3D over |S_a|, the norm of the scaled damping matrix (18), at the worst
-angle. delta is rho D U/(2 m omega_y).
+The error of a form is that of S_3D over |S_a|, the norm of the scaled damping matrix (18), at the
+worst angle. delta is rho D U/(2 m omega_y).
 
-Columns of --format csv, a row for each place of the map: eccentricity, delta; for each form its error and
-at how many angles the sign of stability is wrong.
+Columns of --format csv, a row for each place of the map: eccentricity, delta; for each form its
+error and at how many angles the sign of stability is wrong.
 
 Exit status:
   0  the case was computed, wherever it lies
@@ -64,15 +64,10 @@ pub fn run(arguments: &Arguments) -> Outcome {
         Ok(validity) => validity,
         Err(error) => return refuse(&error),
     };
-    if let Some(path) = &arguments.plot {
-        let drawn = validity_figure::map(&validity).svg();
-        let written = drawn.and_then(|svg| write_text(path, &svg).map_err(|error| reason(&error)));
-        if let Err(reason) = written {
-            return wrong(
-                &format!("`{}` cannot be written: {reason}", path.display()),
-                "name a file in a folder that is there and that you may write to",
-            );
-        }
+    if let Some(path) = &arguments.plot
+        && let Err(outcome) = write_made(path, validity_figure::map(&validity).svg())
+    {
+        return outcome;
     }
     let written = match arguments.format {
         Curves::Text => text::validity(&validity, width(arguments.width)),

@@ -7,6 +7,10 @@ use sextic_codegen::evaluator::Quantity;
 pub struct Evaluation {
     /// The name of the evaluator.
     pub evaluator: String,
+    /// The numbers of its equations.
+    pub equations: Vec<String>,
+    /// What the document says of it.
+    pub description: String,
     /// The quantities that it needs, by name, in SI units.
     pub inputs: Vec<(String, f64)>,
     /// What it gives.

@@ -3,6 +3,7 @@
 
 mod axis;
 mod map;
+mod patch;
 mod stroke;
 mod subscript;
 
@@ -15,6 +16,7 @@ use axis::{Axis, extent, tick, to_scale, with_margin};
 use stroke::ink;
 
 pub use map::{Map, Panel};
+pub use patch::{Fill, Patch};
 pub use stroke::Stroke;
 
 /// A curve in pieces, between which there is nothing.
@@ -41,6 +43,8 @@ pub struct Figure {
     pub y_label: String,
     /// What is shaded below y = 0, as the legend calls it; `None` if nothing is.
     pub shaded: Option<String>,
+    /// What is filled, below the curves; the axes end where it does.
+    pub patches: Vec<Patch>,
     /// Whether both axes have one scale.
     pub is_to_scale: bool,
     /// The curves, the first below the others.
@@ -77,13 +81,18 @@ impl Figure {
         let (head, below) = area.split_vertically(px(HEAD));
         self.draw_head(&head)?;
         let points = || {
-            let pieces = self.curves.iter().flat_map(|curve| &curve.pieces);
-            pieces.flatten()
+            let curves = self.curves.iter().flat_map(|curve| &curve.pieces);
+            let patches = self.patches.iter().flat_map(|patch| &patch.pieces);
+            curves.chain(patches).flatten()
         };
         let x = extent(points().map(|point| point.0));
         // What is shaded ends at 0.
         let zero = self.shaded.iter().map(|_| 0.0);
-        let y = with_margin(extent(points().map(|point| point.1).chain(zero)));
+        let y = extent(points().map(|point| point.1).chain(zero));
+        let y = match self.patches.is_empty() {
+            true => with_margin(y),
+            false => y,
+        };
         let (x, y) = if self.is_to_scale {
             let room = [WIDTH - LEFT - RIGHT, HEIGHT - HEAD - BOTTOM];
             to_scale(x, y, room.map(f64::from))
@@ -103,6 +112,12 @@ impl Figure {
         if self.shaded.is_some() {
             let corners = [(x.start, y.start), (x.end, 0.0)];
             chart.draw_series([Rectangle::new(corners, SHADE.filled())])?;
+        }
+        for patch in &self.patches {
+            for piece in &patch.pieces {
+                let corners = piece.iter().map(|point| chart.backend_coord(point));
+                patch.fill.draw(area, &corners.collect::<Vec<_>>())?;
+            }
         }
         chart
             .configure_mesh()
@@ -157,6 +172,12 @@ impl Figure {
             head.draw(&Rectangle::new(corners, SHADE.filled()))?;
             label(&mut left, shaded)?;
         }
+        for patch in &self.patches {
+            let [right, top, bottom] = [left + length, middle - px(8), middle + px(8)];
+            let corners = [(left, top), (right, top), (right, bottom), (left, bottom)];
+            patch.fill.draw(head, &corners)?;
+            label(&mut left, &patch.label)?;
+        }
         Ok(())
     }
 }
@@ -201,6 +222,7 @@ mod tests {
                 is_angle: true,
                 y_label: "y".into(),
                 shaded: Some("s".into()),
+                patches: Vec::new(),
                 is_to_scale: true,
                 curves: vec![Curve {
                     label,

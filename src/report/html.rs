@@ -18,8 +18,10 @@ use tera::{Context, Tera};
 use crate::derivation::audit::Audit;
 use crate::derivation::diagnostic::SourceFile;
 use crate::stability::comparison::Comparison;
+use crate::stability::validity::Validity;
 
 use super::gallery::Named;
+use super::speeds::SpeedsFound;
 use case::CaseView;
 use document::DocumentView;
 use repetition::Repetition;
@@ -59,6 +61,10 @@ pub struct CaseFiles {
     pub comparison: Comparison,
     /// Its figures beside that of its stability.
     pub figures: Vec<Named>,
+    /// Its critical wind speeds.
+    pub speeds: SpeedsFound,
+    /// Where its closed forms may be trusted, or why that is not known.
+    pub validity: Result<Validity, String>,
     /// The case file and its table of coefficients.
     pub files: [SourceFile; 2],
 }

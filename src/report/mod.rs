@@ -24,6 +24,8 @@ pub mod residuals;
 #[cfg(feature = "stability")]
 pub mod speeds;
 #[cfg(feature = "stability")]
+pub mod speeds_figure;
+#[cfg(feature = "stability")]
 pub mod stability;
 #[cfg(feature = "stability")]
 pub mod stability_figure;
@@ -31,6 +33,8 @@ pub mod summary;
 pub mod text;
 #[cfg(feature = "stability")]
 pub mod trajectory;
+#[cfg(feature = "stability")]
+pub mod validity;
 #[cfg(feature = "stability")]
 pub mod validity_figure;
 pub mod words;

@@ -2,6 +2,7 @@
 
 use num_complex::Complex;
 
+use crate::stability::coordinate::Coordinate;
 use crate::stability::verdict::Verdict;
 
 /// What a method says of a section.
@@ -9,12 +10,37 @@ use crate::stability::verdict::Verdict;
 pub struct ModesFound {
     /// The method: `closed`, `uniform`, `exact`, `companion`, `state`.
     pub method: &'static str,
-    /// λ in 1/s, one of each pair of conjugates, with a bound of its error if the method gives one.
-    pub eigenvalues: Vec<(Complex<f64>, Option<f64>)>,
+    /// Whether eigenvalues are those of a formula, and their errors what it leaves out; else they are exact
+    /// but for rounding, and shown as far as they are certain.
+    pub is_formula: bool,
+    /// One of each pair of conjugates.
+    pub modes: Vec<ModeFound>,
     /// S_3D, with a bound of its error if the method gives one; `None` without wind.
     pub damping_coefficient: Option<(f64, Option<f64>)>,
     /// Whether the section is stable, with proof, by whichever method the modes are found.
     pub verdict: Verdict,
     /// What speaks against the answer, and what was given in vain.
     pub warnings: Vec<String>,
+}
+
+/// A mode as a method finds it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ModeFound {
+    /// λ in 1/s.
+    pub value: Complex<f64>,
+    /// A bound of its error, if the method gives one.
+    pub error: Option<f64>,
+    /// How it moves, if that is asked for.
+    pub shape: Option<Shape>,
+}
+
+/// The entries of a mode shape, the largest of them 1; `None` if there is none in doubles.
+pub type Shape = Option<Vec<(Coordinate, Complex<f64>)>>;
+
+/// A coordinate as a length, as mode shapes have it: the turn θ counts as rθ.
+pub fn length(coordinate: Coordinate) -> &'static str {
+    match coordinate {
+        Coordinate::X | Coordinate::Y => coordinate.name(),
+        Coordinate::Theta => "rθ",
+    }
 }

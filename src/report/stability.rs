@@ -1,5 +1,7 @@
 //! A comparison of methods in words and numbers, said once for every view.
 
+use std::f64::consts::TAU;
+
 use crate::stability::case::Case;
 use crate::stability::comparison::{
     Agreement, Comparison, FollowedMode, Point, Reason, Value, angle, listed,
@@ -7,11 +9,38 @@ use crate::stability::comparison::{
 use crate::stability::verdict::Verdict;
 
 /// The most decimals of a damping coefficient; the sines of another machine may change later ones.
-const MOST_DECIMALS: usize = 9;
+const MOST_DECIMALS: i32 = 9;
+
+/// Numbers from this on are written with a power of ten.
+const LARGE: f64 = 1e6;
 
 /// A number with the decimals that are certain, nine at most.
 pub fn certain(value: Value) -> String {
     decimal(value.value, decimals(value.error, MOST_DECIMALS))
+}
+
+/// A number for a table: with the decimals that are certain, so many at most, or as many digits of a large one.
+pub fn rounded(value: Value, most: i32) -> String {
+    let places = if value.value.abs() >= LARGE {
+        order(value.value)
+    } else {
+        0
+    };
+    let text = decimal(value.value, decimals(value.error, most - places));
+    // What is small is not 0 if that is certain.
+    let is_zero = text.chars().all(|own| "0.".contains(own));
+    match is_zero && value.value.abs() > value.error {
+        true => format!("{:.0e}", value.value),
+        false => text,
+    }
+}
+
+/// A number as it is given, with a power of ten where its zeros would be many.
+pub fn given(value: f64) -> String {
+    match value == 0.0 || (1e-4..LARGE).contains(&value.abs()) {
+        true => value.to_string(),
+        false => format!("{value:e}"),
+    }
 }
 
 /// A bound for a number as [`certain`] prints it: its error and half a unit of the last decimal, as a power
@@ -21,24 +50,51 @@ pub fn bound(value: Value) -> String {
 }
 
 /// A bound for a number that is printed with so many decimals.
-pub fn bound_with(error: f64, decimals: usize) -> String {
-    power(error + 0.5 * 10_f64.powi(-(decimals as i32)))
+pub fn bound_with(error: f64, decimals: i32) -> String {
+    power(error + 0.5 * 10_f64.powi(-decimals))
 }
 
-/// How many decimals an error leaves certain.
-pub fn decimals(error: f64, most: usize) -> usize {
+/// How many decimals an error leaves certain, so many at most; fewer than 0 where whole numbers are not.
+pub fn decimals(error: f64, most: i32) -> i32 {
     let decimals = -(2.0 * error).log10();
-    decimals.floor().clamp(0.0, most as f64) as usize
+    decimals.floor().clamp(-308.0, f64::from(most)) as i32
 }
 
-/// A number with so many decimals, and no sign before zero.
-pub fn decimal(value: f64, decimals: usize) -> String {
+/// A number with so many decimals, and no sign before zero; a large one, or one of fewer decimals than none,
+/// with a power of ten.
+pub fn decimal(value: f64, decimals: i32) -> String {
+    if value.abs() >= LARGE || decimals < 0 {
+        let digits = order(value).saturating_add(decimals);
+        return match usize::try_from(digits) {
+            Ok(digits) => format!("{value:.digits$e}"),
+            Err(_) => "0".to_string(),
+        };
+    }
+    let decimals = decimals.unsigned_abs() as usize;
     let text = format!("{value:.decimals$}");
     let is_zero = text.chars().all(|own| "-0.".contains(own));
     match text.strip_prefix('-') {
         Some(positive) if is_zero => positive.to_string(),
         _ => text,
     }
+}
+
+/// A number with so many digits, however small it is.
+pub fn significant(value: f64, digits: usize) -> String {
+    if value == 0.0 {
+        return "0".to_string();
+    }
+    let last = digits.saturating_sub(1);
+    if (1e-4..LARGE).contains(&value.abs()) {
+        let decimals = (last as i32).saturating_sub(order(value)).clamp(0, 16);
+        return decimal(value, decimals);
+    }
+    format!("{value:.last$e}")
+}
+
+/// The power of ten of the first digit of a number.
+fn order(value: f64) -> i32 {
+    value.abs().log10().floor() as i32
 }
 
 /// What a case is, in one line.
@@ -63,7 +119,7 @@ pub fn title(comparison: &Comparison) -> String {
     format!(
         "{}: {angles}; {free}; U = {} m/s{}",
         case.file,
-        case.parameters.wind_speed,
+        given(case.parameters.wind_speed),
         with_stiffness(case)
     )
 }
@@ -86,21 +142,13 @@ fn what_it_does(comparison: &Comparison) -> &'static str {
     }
 }
 
-/// The frequency of a mode that grows; one that does not oscillate diverges.
-pub fn frequency(mode: &FollowedMode) -> String {
-    match mode.frequency {
-        0.0 => "diverges".to_string(),
-        frequency => format!("{frequency:.4} Hz"),
-    }
-}
-
 /// Where the section gallops, in a sentence: what is not decided is not called stable.
 pub fn conclusion(comparison: &Comparison) -> String {
     let name = comparison.coefficient_name();
     let points = comparison.points.iter();
     let least = points.min_by(|one, other| one.exact.value.total_cmp(&other.exact.value));
     let least = least.map_or(String::new(), |point| {
-        let (value, place) = (decimal(point.exact.value, 4), angle(point.angle));
+        let (value, place) = (rounded(point.exact, 4), angle(point.angle));
         format!("the least {name} is {value}, at {place}°")
     });
     let undecided = match comparison.undecided.as_slice() {
@@ -129,6 +177,24 @@ pub fn conclusion(comparison: &Comparison) -> String {
     }
 }
 
+/// How all verdicts are known.
+pub const PROOF: &str = "each verdict is proven, by bounds of the errors or in exact arithmetic";
+
+/// The frequency of a mode of a case that grows, as far as it is certain; one that does not oscillate diverges.
+pub fn frequency(mode: &FollowedMode, case: &Case) -> String {
+    if mode.frequency == 0.0 {
+        return "diverges".to_string();
+    }
+    let own = &case.parameters;
+    // The bound of S = −4mλ_R/(ρDU) is that of λ.
+    let speed = own.air_density * own.reference_dimension * own.wind_speed / (4.0 * own.mass);
+    let frequency = Value {
+        value: mode.frequency,
+        error: mode.damping.error * speed / TAU,
+    };
+    format!("{} Hz", rounded(frequency, 4))
+}
+
 /// A mode: `2, mostly y`.
 pub fn mode(mode: &FollowedMode) -> String {
     format!("{}, mostly {}", mode.label, mode.mostly.name())
@@ -145,7 +211,8 @@ pub fn largest_error(points: &[Point]) -> f64 {
 /// A bound as the next power of ten, which the rounding of another machine hardly changes.
 pub fn power(bound: f64) -> String {
     match bound > 0.0 {
-        true => format!("1e{}", bound.log10().ceil()),
+        // No sign before zero.
+        true => format!("1e{}", bound.log10().ceil() + 0.0),
         false => "0".to_string(),
     }
 }
@@ -162,8 +229,11 @@ pub fn agreement(own: &Agreement, angles: usize) -> String {
         }
     } else {
         let differs = listed(&own.differs);
+        let error = 0.0;
+        let value = difference;
         format!(
-            "differs by up to {difference:.2} (at {}°): {differs}",
+            "differs by up to {} (at {}°): {differs}",
+            rounded(Value { value, error }, 2),
             angle(place)
         )
     };
@@ -182,4 +252,44 @@ pub fn agreement(own: &Agreement, angles: usize) -> String {
 /// Why: a sentence a reason.
 pub fn reasons(own: &Agreement) -> Vec<String> {
     own.reasons.iter().map(Reason::to_string).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_the_digits_that_say_something() {
+        let value = |value, error| Value { value, error };
+        for (number, most, text) in [
+            (value(-0.12345, 1e-12), 4, "-0.1235"),
+            (value(-0.12345, 1e-3), 4, "-0.12"),
+            (value(-0.00001, 1e-12), 4, "-1e-5"),
+            (value(-0.00001, 1e-4), 4, "0.000"),
+            (value(0.0, 1e-12), 4, "0.0000"),
+            (value(123.4, 20.0), 4, "1e2"),
+            (value(12.0, 600.0), 4, "0"),
+            (value(-437_581_289.579_6, 1e-3), 4, "-4.3758e8"),
+            (value(5e300, 1e285), 4, "5.0000e300"),
+            (value(5e300, 1e302), 4, "0"),
+            (value(0.0, f64::INFINITY), 4, "0"),
+        ] {
+            assert_eq!(rounded(number, most), text);
+        }
+        assert_eq!(
+            [given(9.0), given(1e-9), given(0.0), given(3e8)],
+            ["9", "1e-9", "0", "3e8"]
+        );
+        assert_eq!(certain(value(1.5e7, 1e-9)), "1.500000000000000e7");
+        assert_eq!([power(0.7), power(2.0), power(0.0)], ["1e0", "1e1", "0"]);
+        for (number, text) in [
+            (0.019_312_345, "0.0193123"),
+            (-6.001_234_5, "-6.00123"),
+            (1e-9, "1.00000e-9"),
+            (-2.5e12, "-2.50000e12"),
+            (0.0, "0"),
+        ] {
+            assert_eq!(significant(number, 6), text);
+        }
+    }
 }

@@ -18,6 +18,10 @@ pub fn map(validity: &Validity) -> Map {
             .collect(),
     };
     let [eccentricity, wind] = validity.own;
+    let mark = match eccentricity > 0.0 {
+        true => "the case",
+        false => "the case: e = 0, left of the map",
+    };
     Map {
         title: format!(
             "{}, perfectly tuned and without structural damping: the worst of {} angles",
@@ -32,6 +36,6 @@ pub fn map(validity: &Validity) -> Map {
         rows: validity.winds.clone(),
         panels: Form::ALL.map(panel).into(),
         line: (1.0 / validity.strength, "δ|S_{a}| = e".into()),
-        mark: ((eccentricity, wind), "the case".into()),
+        mark: ((eccentricity, wind), mark.into()),
     }
 }

@@ -59,6 +59,9 @@ const SLOPES: [&str; 3] = ["dCL", "dCD", "dCM"];
 /// The fewest rows that make a curve with a slope.
 const FEWEST_ROWS: usize = 4;
 
+/// Larger numbers than any that mean something, and far from where products of them overflow.
+const LARGEST: f64 = 1e30;
+
 impl CoefficientTable {
     /// Reads the text of a table; `file` is its name in messages.
     ///
@@ -315,7 +318,12 @@ fn number(place: &Place, column: &str, cell: &str) -> Result<f64, InputError> {
         cell.to_string()
     };
     match text.parse::<f64>() {
-        Ok(number) if number.is_finite() => Ok(number),
+        Ok(number) if number.abs() <= LARGEST => Ok(number),
+        Ok(number) if number.is_finite() => {
+            let what = format!("{cell} in the column {column} is too large to be computed with");
+            let help = "coefficients are dimensionless, angles in degrees";
+            Err(InputError::new(place.clone(), what, help))
+        }
         Ok(_) => Err(wrong("give a finite number, or leave the row out")),
         Err(_) if cell.is_empty() => Err(wrong(
             "the cell is empty: give a number, or leave the row out",

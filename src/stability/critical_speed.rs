@@ -53,6 +53,16 @@ pub struct SpeedRange {
     pub stability: Stability,
 }
 
+impl SpeedRange {
+    /// Whether it begins with the lowest speeds of any range.
+    pub fn is_lowest(&self, highest: f64) -> bool {
+        self.from <= highest * LOWEST
+    }
+}
+
+/// Ranges that begin below this share of the highest speed have nothing below them.
+const LOWEST: f64 = 1e-35;
+
 /// A wind speed at which stability changes: a simple root of Hurwitz' last determinant but one, or of the
 /// determinant of the stiffness.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -68,6 +68,21 @@ mod tests {
         }
     }
 
+    /// Three roots a third of a turn apart, but for a little: z³ + 3pz + 2q with a small p.
+    #[test]
+    fn nothing_cancels() {
+        for p in [0.0, 1e-12, 1e-9, 1e-6, 1e-3, 0.1, 1.0] {
+            for turn in 0..16 {
+                let p = Complex::new(p, 0.0);
+                let q = Complex::cis(f64::from(turn) * 0.4);
+                let [a, b, c] = roots([Complex::ZERO, 3.0 * p, 2.0 * q]).expect("roots");
+                assert!((a + b + c).norm() < 1e-15);
+                assert!((a * b + b * c + c * a - 3.0 * p).norm() < 1e-14, "{p} {q}");
+                assert!((a * b * c + 2.0 * q).norm() < 1e-14, "{p} {q}");
+            }
+        }
+    }
+
     #[test]
     fn what_is_not_finite_has_no_roots() {
         let nan = Complex::new(f64::NAN, 0.0);

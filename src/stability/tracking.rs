@@ -6,6 +6,7 @@ use std::sync::LazyLock;
 use num_complex::Complex;
 
 use super::coordinate::Coordinate;
+use super::eigenvalue::{Eigenvalue, Spectrum};
 use super::model::Model;
 use super::section::Section;
 use super::shape::mode_shape;
@@ -38,6 +39,20 @@ impl Mode {
         let largest = parts.max_by(|one, other| one.1.norm_sqr().total_cmp(&other.1.norm_sqr()));
         largest.map_or(section.free()[0], |(coordinate, _)| *coordinate)
     }
+}
+
+/// One eigenvalue of each pair of conjugates, with its place among those that coincide with it within their
+/// errors, from 0; `None` for one that stands alone.
+pub fn places(spectrum: &Spectrum) -> Vec<(Eigenvalue, Option<usize>)> {
+    let pairs: Vec<Eigenvalue> = spectrum.one_of_each_pair().copied().collect();
+    let place = |(index, own): (usize, &Eigenvalue)| {
+        let coincide =
+            |other: &&Eigenvalue| (other.value - own.value).norm() <= other.error + own.error;
+        let is_alone = pairs.iter().filter(coincide).count() == 1;
+        let place = (!is_alone).then(|| pairs[..index].iter().filter(coincide).count());
+        (*own, place)
+    };
+    pairs.iter().enumerate().map(place).collect()
 }
 
 /// How alike two modes move: |φᴴMψ|²/(φᴴMφ · ψᴴMψ) with the mass matrix M of a model; 1 for the same

@@ -352,6 +352,28 @@ fn fixed_quantities_are_no_inputs() {
 }
 
 #[test]
+fn an_evaluator_says_where_its_formula_may_be_used() {
+    let set = "r=0.0178 L_g=0.004 alpha_g=0.2 theta_0=0 m=3.5 rho=1.25 D=0.05 U=9 S_xx=2 S_xy=0 S_xt=0 S_yx=0 \
+               S_yy=1 S_yt=0 S_tx=0 S_ty=0 S_tt=1";
+    let set = set.split_whitespace().flat_map(|own| ["--set", own]);
+    let arguments: Vec<&str> = ["evaluate", "closed_form"].into_iter().chain(set).collect();
+    let found = run(&arguments);
+    assert_eq!(found.status, Some(0), "{}", found.err);
+    let said = found.out.replace('\n', " ");
+    for expected in [
+        "(21) (22) (23): ",
+        "L_g/r is well above ρDU|S_a|/(2mω_n)",
+        "λ_R1 = ",
+    ] {
+        assert!(said.contains(expected), "{said}");
+    }
+    let found = run(&[&arguments[..], &["--format", "json"]].concat());
+    let json: Value = serde_json::from_str(&found.out).expect("JSON");
+    let description = json["description"].as_str().expect("a description");
+    assert!(description.contains("perfect tuning"), "{description}");
+}
+
+#[test]
 fn evaluators_give_numbers() {
     let plate = plate("plate-evaluate.md");
     let evaluate = |more: &[&str]| {

@@ -159,13 +159,40 @@ fn the_report_is_whole_and_refers_to_nothing_outside_of_itself() {
         "Where the section gallops",
         "21° to 180°",
         "1, mostly theta",
+        "by more than its error",
+        "each verdict is proven",
         "How the methods agree",
+        "from the lowest wind speeds on: 0° to",
+        "Where the closed forms may be trusted",
+        "sextic speeds",
+        "sextic validity",
         "sextic audit --explain ID",
         "sextic match",
         "formulas.csv",
     ] {
         assert!(said.contains(expected), "{expected}");
     }
+}
+
+#[test]
+fn what_does_not_apply_to_a_case_is_said_in_its_report() {
+    let folder = super::stability::folder("held_report");
+    let path = folder.join("tuned.toml");
+    let case = std::fs::read_to_string(&path).expect("a case");
+    let held = case
+        .replace("step = 0.5", "step = 20")
+        .replace("[structure]", "[structure]\nfree = [\"x\", \"y\"]");
+    std::fs::write(&path, held).expect("a case");
+    let (status, errors, page) = report(&["--case", text(&path)], &out("held.html"));
+    assert_eq!((status, errors.as_str()), (Some(0), ""));
+    let page = page.expect("a page");
+    let page = parse(&page);
+    stands_alone(&page);
+    let said = words(page.root_element());
+    for expected in ["No map of the errors of the closed forms", "sextic speeds"] {
+        assert!(said.contains(expected), "{expected}");
+    }
+    assert!(!said.contains("sextic validity"));
 }
 
 #[test]

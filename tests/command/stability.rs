@@ -196,6 +196,83 @@ fn what_modes_cannot_do_is_said() {
 }
 
 #[test]
+fn modes_show_how_they_move_where_that_is_asked_for() {
+    // Without wind the mode of the middle frequency leaves the angle alone.
+    for method in ["exact", "companion", "state"] {
+        let arguments = ["--method", method, "--shapes"];
+        let (status, out, err) = modes(&SECTION, &[&arguments[..], &["--format", "json"]].concat());
+        assert_eq!((status, err.as_str()), (Some(0), ""), "{method}");
+        let json: Value = serde_json::from_str(&out).expect("JSON");
+        let entry = |mode: usize, name: &str| {
+            let own = &json["eigenvalues"][mode]["shape"][name];
+            let [re, im] = ["re", "im"].map(|part| own[part].as_f64().expect("a number"));
+            assert!(im.abs() < 1e-6, "{method}: {out}");
+            re
+        };
+        for (mode, sign) in [(0, -1.0), (2, 1.0)] {
+            assert!((entry(mode, "r_theta") - 1.0).abs() < 1e-12);
+            assert!(
+                (entry(mode, "x") - sign * 0.5_f64.sin()).abs() < 1e-6,
+                "{out}"
+            );
+            assert!(
+                (entry(mode, "y") - sign * 0.5_f64.cos()).abs() < 1e-6,
+                "{out}"
+            );
+        }
+        assert!((entry(1, "x") - 1.0).abs() < 1e-12 && entry(1, "r_theta").abs() < 1e-6);
+        let (_, out, _) = modes(&SECTION, &arguments);
+        let expected = "      x 0.4794 at 180.0000°, y 0.8776 at 180.0000°, rθ 1\n";
+        assert!(out.contains(expected), "{out}");
+    }
+    for method in ["closed", "uniform"] {
+        let (status, out, err) = modes(&SECTION, &["--method", method, "--shapes"]);
+        assert_eq!((status, out.as_str()), (Some(2), ""));
+        assert!(err.contains("no mode shapes"), "{err}");
+    }
+    let (_, out, _) = modes(&SECTION, &["--format", "json"]);
+    assert!(!out.contains("shape"), "{out}");
+    let centred = SECTION.map(|own| own.replace("L_g=0.004", "L_g=0"));
+    let centred: Vec<&str> = centred.iter().map(String::as_str).collect();
+    let (_, out, _) = modes(&centred, &["--shapes"]);
+    assert!(out.contains("modes coincide"), "{out}");
+}
+
+#[test]
+fn what_a_formula_gives_is_shown_however_far_it_is_off() {
+    let section = SECTION.map(|own| {
+        own.replace("L_g=0.004", "L_g=0.00001")
+            .replace("U=0", "U=900")
+    });
+    let wind = "rho=1.25 D=0.05 S_xx=2 S_xy=-3/2 S_yx=1 S_yy=-2 S_tx=0 S_ty=1 S_xt=0 S_yt=0 S_tt=0";
+    let section: Vec<&str> = section
+        .iter()
+        .map(String::as_str)
+        .chain(wind.split_whitespace())
+        .collect();
+    let (status, out, _) = modes(&section, &["--method", "closed"]);
+    assert_eq!(status, Some(0));
+    let damping = out.lines().find(|line| line.starts_with("S_3D = "));
+    let damping = damping.expect("a line").trim_start_matches("S_3D = ");
+    let (number, error) = damping.split_once(", off by up to 1e").expect("an error");
+    let number: f64 = number.parse().expect("a number");
+    let error: i32 = error.parse().expect("a power of ten");
+    assert!(number.abs() > 0.1 && error >= 0, "{out}");
+    assert!(!out.contains("within") && !out.contains("1e-0"), "{out}");
+}
+
+#[test]
+fn long_numbers_are_refused_without_repeating_them() {
+    let long = format!("theta_0=0.{}", "1".repeat(5000));
+    let (status, _, err) = modes(&SECTION[..4], &["--set", &long]);
+    assert_eq!(status, Some(2));
+    assert!(
+        err.contains("at most 400 digits") && err.len() < 500,
+        "{err}"
+    );
+}
+
+#[test]
 fn the_scaled_damping_matrix_stands_for_coefficients() {
     let calm = SECTION.iter().filter(|own| **own != "U=0").copied();
     let wind = ["U=9", "rho=1.25", "D=0.05"];
@@ -405,6 +482,29 @@ fn critical_speeds_are_written_in_every_form() {
     assert!(out.starts_with("alpha_deg,from,to,verdict\n0,0.000000000,40.000000000,unstable\n"));
     assert!(out.contains("\n8,0.000000000,11.38"), "{out}");
     assert!(!out.contains("undecided"));
+
+    let plot = folder("speeds").join("speeds.svg");
+    let plot = plot.to_str().expect("a path");
+    let (status, out, err) = run(&["speeds", case, "--to", "40", "--plot", plot]);
+    assert_eq!((status, err.as_str()), (Some(0), ""));
+    // Neighbours share a line, with the range of their speeds.
+    assert!(out.contains("gallops up to 5.1948–"), "{out}");
+    assert!(out.lines().count() < 20, "{out}");
+    assert!(
+        out.contains("from the lowest wind speeds on: 0° to 8°, 21° to "),
+        "{out}"
+    );
+    let svg = std::fs::read_to_string(plot).expect("a figure");
+    let drawing = roxmltree::Document::parse(&svg).expect("well-formed SVG");
+    let shaded = drawing
+        .descendants()
+        .filter(|own| own.has_tag_name("polygon"));
+    // Two ranges of angles from 0 on, one from a critical speed on, and the legend.
+    assert!(shaded.count() >= 4, "{svg}");
+    for label in ["unstable", "critical wind speed", "U = 9 m/s of the case"] {
+        assert!(svg.contains(label), "{label}");
+    }
+    assert!(!svg.contains("not decided") && !svg.contains("NaN"));
 
     for to in ["0", "-1", "nan", "inf", "1e9", "fast"] {
         let (status, _, err) = run(&["speeds", case, "--to", to]);

@@ -178,7 +178,10 @@ fn worst_ratio(modes: &Modes<f64>, exact: &[Long]) -> f64 {
         let (re, im) = (modes.real[k], modes.frequency[k]);
         // The frequency is rounded once more.
         let radius = modes.radius[k] + im * f64::EPSILON / 2.0;
-        let ratio = |own: &Long| own.distance(re, im) / radius;
+        let ratio = |own: &Long| {
+            let real = own.real_distance(re) / modes.radius[k];
+            real.max(own.distance(re, im) / radius)
+        };
         exact.iter().map(ratio).collect::<Vec<f64>>()
     });
     let mut least = f64::INFINITY;

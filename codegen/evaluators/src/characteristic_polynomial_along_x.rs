@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - SHA-256 of the document:
-//!   `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
+//!   `5dcfc2ee3c95415e2d61c2d5db549835a2f6bd92427d4db55e773d2d6dc151ef`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -468,7 +468,7 @@ pub(super) fn characteristic_polynomial_along_x_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
 /// - SHA-256 of the document:
-///   `3f37e0b7e223a9a0d62c84dc5ac0cffafe87352fb65894567a6e9f0371f1974a`
+///   `5dcfc2ee3c95415e2d61c2d5db549835a2f6bd92427d4db55e773d2d6dc151ef`
 #[must_use]
 pub fn characteristic_polynomial_along_x(inputs: &CharacteristicPolynomialAlongXInputs<f64>) -> CharacteristicPolynomialAlongXOutputs<f64> {
     characteristic_polynomial_along_x_body(inputs)

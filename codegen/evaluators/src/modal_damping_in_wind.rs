@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/uniform.md`
 //! - SHA-256 of the document:
-//!   `4f1421d3423286507d9c5d55801c9e718d2a4be464e188352d10697becd39c7a`
+//!   `da711da930b963fd456b8779f3b597c950d5aa5f0a7f27920dd86a5621684106`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -541,7 +541,7 @@ pub(super) fn modal_damping_in_wind_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/uniform.md`
 /// - SHA-256 of the document:
-///   `4f1421d3423286507d9c5d55801c9e718d2a4be464e188352d10697becd39c7a`
+///   `da711da930b963fd456b8779f3b597c950d5aa5f0a7f27920dd86a5621684106`
 #[must_use]
 pub fn modal_damping_in_wind(inputs: &ModalDampingInWindInputs<f64>) -> ModalDampingInWindOutputs<f64> {
     modal_damping_in_wind_body(inputs)

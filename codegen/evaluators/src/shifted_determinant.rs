@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/exact-modes.md`
 //! - SHA-256 of the document:
-//!   `5a851a392a46834c8014efa5cda884625cafb0f3c67b56b1c53fde17f3946d89`
+//!   `ad79a476dc851965d134b18c9ef76ea72f90f8129b040c6a51ca8ac80a2e53d0`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -275,7 +275,7 @@ pub(super) fn shifted_determinant_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/exact-modes.md`
 /// - SHA-256 of the document:
-///   `5a851a392a46834c8014efa5cda884625cafb0f3c67b56b1c53fde17f3946d89`
+///   `ad79a476dc851965d134b18c9ef76ea72f90f8129b040c6a51ca8ac80a2e53d0`
 #[must_use]
 pub fn shifted_determinant(inputs: &ShiftedDeterminantInputs<f64>) -> ShiftedDeterminantOutputs<f64> {
     shifted_determinant_body(inputs)

@@ -53,6 +53,8 @@ const MARGIN: i32 = 16;
 const SHADES: [u8; 6] = [255, 232, 205, 172, 135, 96];
 const LOWEST: i32 = -6;
 
+/// How far a mark reaches to all sides.
+const MARK: i32 = 8;
 const MARK_INK: RGBColor = RGBColor(200, 80, 0);
 
 impl Map {
@@ -117,7 +119,14 @@ impl Map {
             Stroke::Dashed.draw(area, &ends)?;
         }
         let (x, y) = self.mark.0;
-        let place = at(if x > 0.0 { x.log10() } else { left }, y.log10());
+        let place = match x > 0.0 {
+            true => at(x.log10(), y.log10()),
+            // The whole of it within the frame.
+            false => {
+                let (edge, height) = at(left, y.log10());
+                (edge + px(MARK), height)
+            }
+        };
         draw_mark(area, place)?;
         chart
             .configure_mesh()

@@ -3,13 +3,15 @@
 use serde::Serialize;
 
 use super::{CaseFiles, escape};
-use crate::report::figure::Figure;
 use crate::report::gallery::Named;
+use crate::report::speeds::{self, SpeedsFound};
 use crate::report::stability::{
-    agreement, certain, conclusion, frequency, largest_error, mode, power, reasons, title,
+    PROOF, agreement, certain, conclusion, frequency, largest_error, mode, power, reasons, title,
 };
-use crate::report::stability_figure;
+use crate::report::validity::{departure, reach};
+use crate::report::{speeds_figure, stability_figure, validity_figure};
 use crate::stability::comparison::{Comparison, Method, UnstableRange, angle};
+use crate::stability::validity::{Form, Validity};
 
 /// What the template is given of a case.
 #[derive(Serialize)]
@@ -24,7 +26,12 @@ pub struct CaseView {
     figure: String,
     figures: Vec<FigureView>,
     conclusion: String,
+    proof: &'static str,
     unstable: Vec<UnstableView>,
+    speeds: FigureView,
+    validity: Option<FigureView>,
+    /// Why there is no figure of it.
+    no_validity: Option<String>,
     methods: Vec<MethodView>,
     remarks: Vec<String>,
     /// The text of the case file.
@@ -36,7 +43,7 @@ pub struct CaseView {
 struct FigureView {
     /// SVG.
     svg: String,
-    caption: &'static str,
+    caption: String,
 }
 
 #[derive(Serialize)]
@@ -46,6 +53,7 @@ struct UnstableView {
     damping: String,
     frequency: String,
     mode: String,
+    verdict: String,
 }
 
 #[derive(Serialize)]
@@ -70,7 +78,7 @@ impl CaseView {
             title: title(comparison),
             coefficient: comparison.coefficient_name(),
             figure: drawn(
-                &stability_figure::figure(comparison),
+                stability_figure::figure(comparison).svg(),
                 "curves",
                 &format!(
                     "{} against the angle of attack. {}",
@@ -80,7 +88,15 @@ impl CaseView {
             )?,
             figures: case.figures.iter().map(figure).collect::<Result<_, _>>()?,
             conclusion: conclusion(comparison),
-            unstable: comparison.unstable.iter().map(unstable).collect(),
+            proof: PROOF,
+            speeds: speeds(&case.speeds)?,
+            validity: case.validity.as_ref().ok().map(validity).transpose()?,
+            no_validity: case.validity.as_ref().err().cloned(),
+            unstable: comparison
+                .unstable
+                .iter()
+                .map(|own| unstable(own, comparison))
+                .collect(),
             methods: methods(comparison),
             remarks: comparison.remarks.iter().map(ToString::to_string).collect(),
             file: escape(&file.text),
@@ -90,8 +106,8 @@ impl CaseView {
 }
 
 /// A figure as SVG that a reader can be told about; `name` is unique on the page.
-fn drawn(figure: &Figure, name: &str, title: &str) -> Result<String, String> {
-    let svg = figure.svg()?;
+fn drawn(svg: Result<String, String>, name: &str, title: &str) -> Result<String, String> {
+    let svg = svg?;
     let named = format!(
         r#"<svg role="img" aria-labelledby="{name}"><title id="{name}">{}</title>"#,
         escape(title)
@@ -123,18 +139,55 @@ fn figure((name, figure): &Named) -> Result<FigureView, String> {
         }
         _ => "",
     };
-    let svg = drawn(figure, name, caption)?;
+    captioned(figure.svg(), name, caption.to_string())
+}
+
+/// A figure whose caption says what it shows.
+fn captioned(
+    svg: Result<String, String>,
+    name: &str,
+    caption: String,
+) -> Result<FigureView, String> {
+    let svg = drawn(svg, name, &caption)?;
     Ok(FigureView { svg, caption })
 }
 
-fn unstable(own: &UnstableRange) -> UnstableView {
+/// The critical wind speeds, with where they are the lowest.
+fn speeds(found: &SpeedsFound) -> Result<FigureView, String> {
+    let svg = speeds_figure::figure(found).svg();
+    let conclusion = speeds::conclusion(found);
+    let caption = format!("{conclusion} {}", speeds_figure::caption(found));
+    captioned(svg, "critical_speeds", caption)
+}
+
+/// The errors of the closed forms, with those of the case as it is.
+fn validity(validity: &Validity) -> Result<FigureView, String> {
+    let forms = Form::ALL.map(|form| {
+        let departure = departure(validity, form);
+        format!("{}: {departure}", form.name())
+    });
+    let caption = format!(
+        "Where the closed forms may be trusted. Errors of S over |S_a|, for the case as it is: {}. The closed form, perfectly \
+         tuned and without structural damping: {}",
+        forms.join("; "),
+        reach(validity)
+    );
+    captioned(validity_figure::map(validity).svg(), "validity", caption)
+}
+
+fn unstable(own: &UnstableRange, comparison: &Comparison) -> UnstableView {
+    let case = &comparison.case;
+    let mut points = comparison.points.iter();
+    let worst = points.find(|point| point.angle == own.worst);
+    let verdict = worst.map(|point| point.verdict);
     let mode_of = own.mode.as_ref();
     UnstableView {
         angles: own.angles.to_string(),
         worst: format!("{}°", angle(own.worst)),
         damping: certain(own.damping),
-        frequency: mode_of.map_or(String::new(), frequency),
+        frequency: mode_of.map_or(String::new(), |mode| frequency(mode, case)),
         mode: mode_of.map_or(String::new(), mode),
+        verdict: verdict.map_or(String::new(), |own| format!("{}: {own}", own.name())),
     }
 }
 

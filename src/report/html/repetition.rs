@@ -4,7 +4,7 @@ use std::slice::from_ref;
 
 use serde::Serialize;
 
-use super::Request;
+use super::{CaseFiles, Request};
 use crate::compile::fingerprint::fingerprint;
 use crate::derivation::diagnostic::SourceFile;
 
@@ -62,8 +62,12 @@ impl Repetition {
                 files.push(file(source, "document"));
             }
         }
-        let case = request.case.map(|case| &case.files);
-        if let Some([case_file, table]) = case {
+        if let Some(CaseFiles {
+            files: [case_file, table],
+            validity,
+            ..
+        }) = request.case
+        {
             let case = argument("", Some(&case_file.path));
             commands.extend([
                 (
@@ -78,11 +82,22 @@ impl Repetition {
                     format!("sextic stability{case} --format json"),
                     "every angle with every method and the bounds of all errors",
                 ),
+                (
+                    format!("sextic speeds{case} --plot speeds.svg"),
+                    "the critical wind speeds",
+                ),
             ]);
+            if validity.is_ok() {
+                commands.push((
+                    format!("sextic validity{case} --plot validity.svg"),
+                    "the errors of the closed forms, and their maps",
+                ));
+            }
             files.push(file(case_file, "case"));
             files.push(file(table, "table of coefficients"));
         }
-        let case = argument(" --case", case.map(|[file, _]| file.path.as_str()));
+        let case = request.case.map(|case| case.files[0].path.as_str());
+        let case = argument(" --case", case);
         commands.push((
             format!("sextic report{document}{case} --out report.html"),
             "this page",

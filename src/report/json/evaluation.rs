@@ -1,4 +1,4 @@
-//! `{"evaluator", "inputs": {…}, "outputs": {…}, "unused": […]}`, and what can be evaluated.
+//! `{"evaluator", "description", "inputs": {…}, "outputs": {…}, "unused": […]}`, and what can be evaluated.
 
 use serde::Serialize;
 use sextic_codegen::evaluator::Quantity;
@@ -12,6 +12,7 @@ use super::write;
 #[derive(Serialize)]
 struct Evaluated<'a> {
     evaluator: &'a str,
+    description: &'a str,
     inputs: Pairs<f64>,
     outputs: Pairs<f64>,
     unused: &'a [String],
@@ -22,6 +23,7 @@ pub fn evaluation(evaluation: &Evaluation) -> String {
     let outputs = evaluation.outputs.iter();
     write(&Evaluated {
         evaluator: &evaluation.evaluator,
+        description: &evaluation.description,
         inputs: Pairs(evaluation.inputs.clone()),
         outputs: Pairs(
             outputs

@@ -1,9 +1,13 @@
-//! `{"method", "eigenvalues": [{"re", "im", "error"}…], "s3d", "verdict", "reason", "warnings": […]}`.
+//! `{"method", "eigenvalues": [{"re", "im", "error"}…], "s3d", "verdict", "reason", "warnings": […]}`, and with
+//! shapes `"shape": {"x": {"re", "im"}, "y", "r_theta"}` in each of the eigenvalues.
 
+use num_complex::Complex;
 use serde::Serialize;
 
-use crate::report::modes::ModesFound;
+use crate::report::modes::{ModeFound, ModesFound, Shape};
+use crate::stability::coordinate::Coordinate;
 
+use super::pairs::Pairs;
 use super::write;
 
 #[derive(Serialize)]
@@ -21,23 +25,51 @@ struct Eigenvalue {
     re: f64,
     im: f64,
     error: Option<f64>,
+    /// Only where shapes are asked for; `null` for a mode that has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shape: Option<Option<Pairs<Entry>>>,
 }
 
-/// One of each pair of conjugates, in 1/s; an error of `null` is a method that bounds none.
+#[derive(Serialize)]
+struct Entry {
+    re: f64,
+    im: f64,
+}
+
+/// One of each pair of conjugates, in 1/s.
+///
+/// `error` is a bound of the distance from the eigenvalue of the section whose quantities are the doubles
+/// nearest to what was given: what rounding may cost, and for a closed form also what it leaves out; `null`
+/// where there is no bound. `verdict` is of the numbers as they were given.
 pub fn modes(found: &ModesFound) -> String {
-    let eigenvalues = found.eigenvalues.iter();
     write(&Found {
         method: found.method,
-        eigenvalues: eigenvalues
-            .map(|&(value, error)| Eigenvalue {
-                re: value.re,
-                im: value.im,
-                error,
-            })
-            .collect(),
+        eigenvalues: found.modes.iter().map(eigenvalue).collect(),
         s3d: found.damping_coefficient.map(|(damping, _)| damping),
         verdict: found.verdict.name(),
         reason: found.verdict.to_string(),
         warnings: &found.warnings,
     })
+}
+
+fn eigenvalue(mode: &ModeFound) -> Eigenvalue {
+    let entries = |shape: &Shape| {
+        let entries = shape.as_ref()?.iter();
+        Some(Pairs(entries.map(entry).collect()))
+    };
+    Eigenvalue {
+        re: mode.value.re,
+        im: mode.value.im,
+        error: mode.error,
+        shape: mode.shape.as_ref().map(entries),
+    }
+}
+
+fn entry(&(coordinate, own): &(Coordinate, Complex<f64>)) -> (String, Entry) {
+    let name = match coordinate {
+        Coordinate::X | Coordinate::Y => coordinate.name(),
+        Coordinate::Theta => "r_theta",
+    };
+    let (re, im) = (own.re, own.im);
+    (name.to_string(), Entry { re, im })
 }

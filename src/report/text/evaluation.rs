@@ -10,8 +10,16 @@ use super::page::Page;
 use super::palette::{FAINT, PLAIN, STRONG};
 use super::run::{Run, column};
 
-/// A line an output.
-pub fn evaluation(evaluation: &Evaluation) -> String {
+/// What the document says of it, then a line an output.
+pub fn evaluation(evaluation: &Evaluation, width: usize) -> String {
+    let mut page = Page::new(width);
+    let Evaluation {
+        evaluator,
+        equations,
+        description,
+        ..
+    } = evaluation;
+    head(&mut page, evaluator, equations, description);
     let outputs = &evaluation.outputs;
     let width = outputs
         .iter()
@@ -22,7 +30,18 @@ pub fn evaluation(evaluation: &Evaluation) -> String {
         let unit = unit(output);
         format!("{}{gap} = {value:?}{unit}\n", output.symbol)
     };
-    outputs.iter().map(line).collect()
+    let lines: String = outputs.iter().map(line).collect();
+    format!("{}\n{lines}", page.finish())
+}
+
+/// The name of an evaluator, its equations, and what the document says of it.
+fn head(page: &mut Page, name: &str, equations: &[String], description: &str) {
+    let equations: String = equations
+        .iter()
+        .map(|number| format!(" ({number})"))
+        .collect();
+    let words = format!("{equations}: {description}");
+    page.prose(&[], &[Run::words(name, STRONG), Run::words(words, PLAIN)]);
 }
 
 /// What can be evaluated: a paragraph an evaluator.
@@ -33,18 +52,11 @@ pub fn evaluators(specifications: &[Specification], width: usize) -> String {
         if place > 0 {
             page.gap();
         }
-        let equations: Vec<String> = evaluator
-            .equations
-            .iter()
-            .map(|number| format!(" ({number})"))
-            .collect();
-        let title = format!("{}: {}", equations.concat(), evaluator.title);
-        page.prose(
-            &[],
-            &[
-                Run::words(&evaluator.name, STRONG),
-                Run::words(title, PLAIN),
-            ],
+        head(
+            &mut page,
+            &evaluator.name,
+            &evaluator.equations,
+            &evaluator.title,
         );
         let mut line = |word: &str, list: Vec<String>| {
             if !list.is_empty() {

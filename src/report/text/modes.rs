@@ -2,31 +2,44 @@
 
 use std::f64::consts::TAU;
 
-use crate::report::modes::ModesFound;
-use crate::report::stability::{bound_with, decimal, decimals};
+use num_complex::Complex;
+
+use crate::report::modes::{ModeFound, ModesFound, Shape, length};
+use crate::report::stability::{bound_with, decimal, decimals, power, significant};
 
 /// Decimals where no error is known.
-const USUAL_DECIMALS: usize = 9;
+const USUAL_DECIMALS: i32 = 9;
 
 /// Doubles have no more than these near 1.
-const MOST_DECIMALS: usize = 15;
+const MOST_DECIMALS: i32 = 15;
 
-/// A line a mode: λ, its error, and the frequency in Hz; then S_3D, the verdict and the warnings.
+/// Digits of what a formula gives, which is shown however far it is off.
+const FORMULA_DIGITS: usize = 6;
+
+/// Decimals of amplitudes and phases.
+const SHAPE_DECIMALS: i32 = 4;
+
+/// A line a mode: λ, its error, and the frequency in Hz, with its shape below; then S_3D, the verdict and the
+/// warnings.
 pub fn modes(found: &ModesFound) -> String {
     let mut text = String::new();
-    for (place, (value, error)) in found.eigenvalues.iter().enumerate() {
-        let decimals = error.map_or(USUAL_DECIMALS, |error| decimals(error, MOST_DECIMALS));
-        let error = error.map_or(String::new(), |error| {
-            format!(", within {}", bound_with(error, decimals))
-        });
+    for (place, mode) in found.modes.iter().enumerate() {
+        let ModeFound {
+            value,
+            error,
+            shape,
+        } = mode;
+        let [(real, within), (imaginary, _)] =
+            [value.re, value.im.abs()].map(|part| number(part, *error, found.is_formula));
         text += &format!(
-            "λ_{} = {} {} {}i 1/s{error}; {:.6} Hz\n",
+            "λ_{} = {real} {} {imaginary}i 1/s{within}; {:.6} Hz\n",
             place + 1,
-            decimal(value.re, decimals),
             if value.im < 0.0 { '-' } else { '+' },
-            decimal(value.im.abs(), decimals),
             value.im / TAU
         );
+        if let Some(shape) = shape {
+            text += &format!("      {}\n", moves(shape));
+        }
     }
     if let Some((damping, error)) = found.damping_coefficient {
         let meaning = match error {
@@ -34,8 +47,14 @@ pub fn modes(found: &ModesFound) -> String {
             None if damping < 0.0 => ": by this form the section gallops",
             None => ": by this form the section is stable",
         };
-        let decimals = error.map_or(USUAL_DECIMALS, |error| decimals(error, MOST_DECIMALS));
-        text += &format!("S_3D = {}{meaning}\n", decimal(damping, decimals));
+        let (number, within) = number(damping, error, found.is_formula);
+        // What is certain shows how far.
+        let within = if found.is_formula {
+            within
+        } else {
+            String::new()
+        };
+        text += &format!("S_3D = {number}{within}{meaning}\n");
     }
     let verdict = found.verdict;
     text += &format!("The section is {}: {verdict}\n", verdict.name());
@@ -43,4 +62,44 @@ pub fn modes(found: &ModesFound) -> String {
         text += &format!("Warning: {warning}\n");
     }
     text
+}
+
+/// A number and how exact it is: as far as it is certain, or all that a formula gives and how far it is off.
+fn number(value: f64, error: Option<f64>, is_formula: bool) -> (String, String) {
+    match error {
+        None if is_formula => (significant(value, FORMULA_DIGITS), String::new()),
+        None => (decimal(value, USUAL_DECIMALS), String::new()),
+        Some(error) if is_formula => (
+            significant(value, FORMULA_DIGITS),
+            format!(", off by up to {}", power(error)),
+        ),
+        Some(error) => {
+            let decimals = decimals(error, MOST_DECIMALS);
+            (
+                decimal(value, decimals),
+                format!(", within {}", bound_with(error, decimals)),
+            )
+        }
+    }
+}
+
+/// `x 0.2104 at -12.3000°, y 1, rθ 0.0312 at 90.0000°`: amplitudes, and phases ahead of the largest.
+fn moves(shape: &Shape) -> String {
+    let Some(entries) = shape else {
+        return "no shape in doubles".to_string();
+    };
+    let entry = |(coordinate, own): &(_, Complex<f64>)| {
+        let name = length(*coordinate);
+        let phase = own.arg().to_degrees();
+        // What is rounded to -180° is 180°.
+        let phase = if phase < -179.99995 { 180.0 } else { phase };
+        let [amplitude, phase, one, zero] =
+            [own.norm(), phase, 1.0, 0.0].map(|number| decimal(number, SHAPE_DECIMALS));
+        match (amplitude == one && phase == zero, amplitude == zero) {
+            (true, _) => format!("{name} 1"),
+            (_, true) => format!("{name} 0"),
+            _ => format!("{name} {amplitude} at {phase}°"),
+        }
+    };
+    entries.iter().map(entry).collect::<Vec<_>>().join(", ")
 }

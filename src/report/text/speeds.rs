@@ -1,6 +1,6 @@
 //! The critical wind speeds of a case, for a terminal.
 
-use crate::report::speeds::{SpeedsFound, conclusion, listed};
+use crate::report::speeds::{SpeedsFound, alike, conclusion, listed};
 use crate::report::stability::with_stiffness;
 use crate::stability::comparison::angle;
 use crate::stability::critical_speed::{Speeds, Stability};
@@ -9,7 +9,8 @@ use super::page::Page;
 use super::palette::{PLAIN, STRONG};
 use super::run::{Run, column};
 
-/// A line for each angle at which something is unstable or not decided; neighbours that say the same share one.
+/// A line for each angle at which something is unstable or not decided; neighbours with the same kinds of
+/// ranges share one, with the lowest and the highest of their speeds.
 pub fn speeds(found: &SpeedsFound, width: usize) -> String {
     let mut page = Page::new(width);
     let title = format!(
@@ -22,28 +23,27 @@ pub fn speeds(found: &SpeedsFound, width: usize) -> String {
     page.gap();
     page.prose(&[], &[Run::words(conclusion(found), PLAIN)]);
     page.heading("Wind speeds, by the angle");
-    let said: Vec<(f64, String)> = found
-        .angles
-        .iter()
-        .map(|(place, speeds)| (*place, at_angle(speeds, found.highest)))
-        .collect();
-    for run in said.chunk_by(|one, other| one.1 == other.1) {
-        let (Some(first), Some(last)) = (run.first(), run.last()) else {
+    for run in alike(&found.angles) {
+        let (Some((first, _)), Some((last, _))) = (run.first(), run.last()) else {
             continue;
         };
         let angles = match run.len() {
-            1 => format!("  {}°", angle(first.0)),
-            _ => format!("  {}° to {}°", angle(first.0), angle(last.0)),
+            1 => format!("  {}°", angle(*first)),
+            _ => format!("  {}° to {}°", angle(*first), angle(*last)),
         };
         page.prose(
             &column(&angles, 20, PLAIN),
-            &[Run::words(first.1.clone(), PLAIN)],
+            &[Run::words(at_angles(run, found.highest), PLAIN)],
         );
     }
     page.finish()
 }
 
-fn at_angle(speeds: &Speeds, highest: f64) -> String {
+/// What is so at angles that are alike.
+fn at_angles(run: &[(f64, Speeds)], highest: f64) -> String {
+    let Some((_, speeds)) = run.first() else {
+        return String::new();
+    };
     let parts = [
         (Stability::Unstable, "gallops"),
         (Stability::Divergent, "diverges"),
@@ -52,7 +52,7 @@ fn at_angle(speeds: &Speeds, highest: f64) -> String {
     let mut words: Vec<String> = parts
         .into_iter()
         .filter(|(stability, _)| speeds.ranges.iter().any(|own| own.stability == *stability))
-        .map(|(stability, word)| format!("{word} {}", listed(speeds, stability, highest)))
+        .map(|(stability, word)| format!("{word} {}", listed(run, stability, highest)))
         .collect();
     if words.is_empty() {
         words.push("stable at every speed".into());

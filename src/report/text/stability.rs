@@ -1,9 +1,13 @@
 //! Where a section gallops, and how the methods agree, for a terminal.
 
+use std::iter::once;
+
+use anstyle::Style;
+
 use crate::report::stability::{
-    agreement, conclusion, decimal, frequency, largest_error, mode, power, reasons, title,
+    PROOF, agreement, conclusion, frequency, largest_error, mode, power, reasons, rounded, title,
 };
-use crate::stability::comparison::{Comparison, Method, angle};
+use crate::stability::comparison::{Comparison, FollowedMode, Method, UnstableRange, angle};
 
 use super::page::Page;
 use super::palette::{FAINT, PLAIN, STRONG};
@@ -37,42 +41,45 @@ fn unstable(page: &mut Page, comparison: &Comparison) {
     if !comparison.unstable.is_empty() {
         let step = comparison.case.angles.step;
         page.heading(&format!("Unstable ranges, in steps of {step}°"));
-        row(
-            page,
-            ["angles", "worst at", &name, "frequency", "mode"],
-            true,
-        );
-        for own in &comparison.unstable {
-            let mode_of = own.mode.as_ref();
-            row(
-                page,
-                [
-                    &own.angles.to_string(),
-                    &format!("{}°", angle(own.worst)),
-                    &decimal(own.damping.value, 4),
-                    &mode_of.map_or(String::new(), frequency),
-                    &mode_of.map_or(String::new(), mode),
-                ],
-                false,
-            );
+        let heading = ["angles", "worst at", &name, "frequency", "mode"].map(str::to_string);
+        let cells = |own: &UnstableRange| {
+            let of_mode = |text: &dyn Fn(&FollowedMode) -> String| {
+                own.mode.as_ref().map_or(String::new(), text)
+            };
+            [
+                own.angles.to_string(),
+                format!("{}°", angle(own.worst)),
+                rounded(own.damping, 4),
+                of_mode(&|mode| frequency(mode, &comparison.case)),
+                of_mode(&mode),
+            ]
+        };
+        let rows: Vec<[String; 5]> = comparison.unstable.iter().map(cells).collect();
+        let all = || once(&heading).chain(&rows);
+        let widths = LEAST.map(|(place, least)| {
+            let widest = all().map(|row| row[place].chars().count()).max();
+            least.max(widest.unwrap_or(0) + 2)
+        });
+        for (place, row) in all().enumerate() {
+            let style = if place == 0 { FAINT } else { PLAIN };
+            self::row(page, row, widths, style);
         }
     }
+    page.hint(2, PROOF);
 }
 
-fn row(page: &mut Page, cells: [&str; 5], is_heading: bool) {
-    let style = if is_heading { FAINT } else { PLAIN };
+/// The columns before the last, and how wide they are at least.
+const LEAST: [(usize, usize); 4] = [(0, 20), (1, 11), (2, 11), (3, 12)];
+
+fn row(page: &mut Page, cells: &[String; 5], widths: [usize; 4], style: Style) {
     if page.width() < TABLE {
         return page.prose(&[spaces(2)], &[Run::words(cells.join(", "), style)]);
     }
-    let [angles, worst, damping, frequency, mode] = cells;
-    let prefix = [
-        column("", 2, style),
-        column(angles, 20, style),
-        column(worst, 11, style),
-        column(damping, 11, style),
-        column(frequency, 12, style),
-    ];
-    page.prose(&prefix.concat(), &[Run::words(mode, style)]);
+    let [others @ .., mode] = cells;
+    let columns = others.iter().zip(widths);
+    let columns = columns.flat_map(|(cell, width)| column(cell, width, style));
+    let prefix: Vec<Run> = once(spaces(2)).chain(columns).collect();
+    page.prose(&prefix, &[Run::words(mode, style)]);
 }
 
 fn methods(page: &mut Page, comparison: &Comparison) {

@@ -1,7 +1,7 @@
 //! Where the closed forms of a case may be trusted, for a terminal.
 
-use crate::stability::comparison::angle;
-use crate::stability::validity::{Departure, Form, TOLERANCE, Validity};
+use crate::report::validity::{departure, reach, rounded_up};
+use crate::stability::validity::{Form, Validity};
 
 use super::page::Page;
 use super::palette::{FAINT, PLAIN, STRONG};
@@ -22,11 +22,7 @@ pub fn validity(validity: &Validity, width: usize) -> String {
         validity.own_angles
     ));
     for form in Form::ALL {
-        let own = validity.own_departures[form as usize];
-        let text = own.map_or("does not apply".to_string(), |own| {
-            departure(own, validity.own_angles)
-        });
-        line(&mut page, form.name(), text);
+        line(&mut page, form.name(), departure(validity, form));
     }
     page.heading("Perfectly tuned and without structural damping");
     line(&mut page, "closed form (21)–(23)", reach(validity));
@@ -52,48 +48,4 @@ pub fn validity(validity: &Validity, width: usize) -> String {
 fn line(page: &mut Page, name: &str, text: String) {
     let prefix = [[spaces(2)].to_vec(), column(name, 28, FAINT).to_vec()];
     page.prose(&prefix.concat(), &[Run::words(text, PLAIN)]);
-}
-
-/// An error and what is wrong: `1.2e-1 (at 68.5°), wrong sign at 9 of 361 angles`.
-fn departure(own: Departure, angles: usize) -> String {
-    let signs = match own.wrong_signs {
-        0 => "no wrong sign".to_string(),
-        wrong => format!("wrong sign at {wrong} of {angles} angles"),
-    };
-    let silent = match angles - own.answers {
-        0 => String::new(),
-        silent => format!(", no answer at {silent}"),
-    };
-    format!(
-        "{:.1e} (at {}°), {signs}{silent}",
-        rounded_up(own.error),
-        angle(own.angle)
-    )
-}
-
-/// How far the closed form reaches.
-fn reach(validity: &Validity) -> String {
-    let share = TOLERANCE * 100.0;
-    let [e, _] = validity.own;
-    let from = match validity.least_eccentricity {
-        Some(least) => format!("from L_g/r = {least:.2e} on at this wind"),
-        None => "at no L_g/r at this wind".to_string(),
-    };
-    let up_to = match validity.largest_wind {
-        Some(largest) => format!(
-            "up to U = {:.2} m/s with L_g/r = {e:.2e}",
-            validity.wind_speed(largest)
-        ),
-        None => format!("at no wind speed of the map with L_g/r = {e:.2e}"),
-    };
-    format!("within {share} % of |S_a| {from}; {up_to}")
-}
-
-/// The next number with two digits above another one.
-fn rounded_up(number: f64) -> f64 {
-    if !(number > 0.0 && number.is_finite()) {
-        return number;
-    }
-    let unit = 10_f64.powf(number.log10().floor() - 1.0);
-    (number / unit).ceil() * unit
 }

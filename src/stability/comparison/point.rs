@@ -9,7 +9,7 @@ use crate::stability::model::Model;
 use crate::stability::section::Section;
 use crate::stability::sensitivity::weakened_by;
 use crate::stability::state_matrix;
-use crate::stability::tracking::{Mode, follow};
+use crate::stability::tracking::{Mode, follow, places};
 use crate::stability::uniform_form::uniform_form;
 use crate::stability::verdict::{Verdict, verdict};
 
@@ -138,19 +138,14 @@ impl Answers {
 /// The modes of a spectrum, each with S.
 pub(in crate::stability) fn modes_of(model: &Model, spectrum: &Spectrum) -> Vec<(Mode, Value)> {
     let section = model.section();
-    let pairs: Vec<&Eigenvalue> = spectrum.one_of_each_pair().collect();
-    let mode = |(index, own): (usize, &&Eigenvalue)| {
-        let coincide =
-            |other: &&&Eigenvalue| (other.value - own.value).norm() <= other.error + own.error;
-        let is_alone = pairs.iter().filter(coincide).count() == 1;
-        let place = (!is_alone).then(|| pairs[..index].iter().filter(coincide).count());
+    let mode = |(own, place): (Eigenvalue, Option<usize>)| {
         let damping = Value {
             value: section.damping_coefficient(own.value.re)?,
             error: section.damping_coefficient(own.error)?.abs(),
         };
         Some((Mode::new(model, own.value, place)?, damping))
     };
-    pairs.iter().enumerate().filter_map(mode).collect()
+    places(spectrum).into_iter().filter_map(mode).collect()
 }
 
 /// Modes, each with the number of the one before that it continues.

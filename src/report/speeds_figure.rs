@@ -1,0 +1,159 @@
+//! The critical wind speeds of a case as a figure: wind speed against the angle.
+
+use crate::stability::comparison::angle;
+use crate::stability::critical_speed::{SpeedRange, Speeds, Stability};
+
+use super::figure::{Curve, Figure, Fill, Patch, Stroke};
+use super::speeds::{SpeedsFound, alike};
+use super::stability::given;
+use super::stability_figure::name;
+
+/// Where the section gallops, shaded, with the critical speeds around it; what is not decided is hatched.
+pub fn figure(found: &SpeedsFound) -> Figure {
+    let regions: Vec<Region> = regions(found);
+    let patches = [
+        (
+            is_unstable as fn(Stability) -> bool,
+            "unstable",
+            Fill::Shaded,
+        ),
+        (
+            |own| own == Stability::Undecided,
+            "not decided",
+            Fill::Hatched,
+        ),
+    ];
+    let patch = |(is_shown, label, fill): (fn(Stability) -> bool, &str, Fill)| Patch {
+        label: label.into(),
+        fill,
+        pieces: regions
+            .iter()
+            .filter(|own| is_shown(own.stability))
+            .map(Region::outline)
+            .collect(),
+    };
+    let critical = regions.iter().filter(|own| own.ends_critically);
+    let mut curves = vec![Curve {
+        label: "critical wind speed".into(),
+        stroke: Stroke::Solid,
+        pieces: critical.map(|own| own.above.clone()).collect(),
+    }];
+    let wind_speed = found.case.parameters.wind_speed;
+    let ends = [found.angles.first(), found.angles.last()];
+    if let [Some((first, _)), Some((last, _))] = ends
+        && (0.0..=found.highest).contains(&wind_speed)
+        && wind_speed > 0.0
+    {
+        curves.push(Curve {
+            label: format!("U = {} m/s of the case", given(wind_speed)),
+            stroke: Stroke::Dashed,
+            pieces: vec![vec![(*first, wind_speed), (*last, wind_speed)]],
+        });
+    }
+    // What is stable is white, and belongs to the figure all the same.
+    let mut patches: Vec<Patch> = patches.map(patch).into();
+    patches.retain(|own| own.fill == Fill::Shaded || !own.pieces.is_empty());
+    let corner = |own: &(f64, Speeds)| vec![(own.0, 0.0), (own.0, found.highest)];
+    if let Some(shaded) = patches.first_mut() {
+        shaded.pieces.extend(found.angles.first().map(corner));
+        shaded.pieces.extend(found.angles.last().map(corner));
+    }
+    Figure {
+        title: format!(
+            "{}: wind speeds up to {} m/s",
+            name(&found.case),
+            found.highest
+        ),
+        x_label: "angle of attack α (degrees)".into(),
+        is_angle: true,
+        y_label: "wind speed U (m/s)".into(),
+        patches,
+        curves: curves
+            .into_iter()
+            .filter(|curve| !curve.pieces.is_empty())
+            .collect(),
+        ..Figure::default()
+    }
+}
+
+/// Galloping, divergence or both.
+fn is_unstable(stability: Stability) -> bool {
+    matches!(stability, Stability::Unstable | Stability::Divergent)
+}
+
+/// Speeds of one stability at neighbouring angles.
+struct Region {
+    stability: Stability,
+    /// The lowest speed at each angle.
+    below: Vec<(f64, f64)>,
+    /// The highest speed at each angle.
+    above: Vec<(f64, f64)>,
+    /// Whether stability changes at the highest speeds for certain.
+    ends_critically: bool,
+}
+
+impl Region {
+    fn outline(&self) -> Vec<(f64, f64)> {
+        let back = self.above.iter().rev();
+        self.below.iter().chain(back).copied().collect()
+    }
+}
+
+/// The regions of all stabilities; those of neighbouring angles that differ meet half way.
+fn regions(found: &SpeedsFound) -> Vec<Region> {
+    let mut regions = Vec::new();
+    let mut before: Option<f64> = None;
+    let mut rest = found.angles.as_slice();
+    // One angle alone is shown as wide as its axis.
+    let margin = if rest.len() == 1 { 1.0 } else { 0.0 };
+    for run in alike(&found.angles) {
+        rest = &rest[run.len()..];
+        let (Some((first, speeds)), Some((last, _))) = (run.first(), run.last()) else {
+            continue;
+        };
+        let middle = |one: f64, other: f64| (one + other) / 2.0;
+        let from = before.map_or(*first - margin, |before| middle(before, *first));
+        let to = rest
+            .first()
+            .map_or(*last + margin, |(next, _)| middle(*last, *next));
+        before = Some(*last);
+        for (place, own) in speeds.ranges.iter().enumerate() {
+            let next = speeds.ranges.get(place + 1);
+            let along = |speed: &dyn Fn(&SpeedRange) -> f64| -> Vec<(f64, f64)> {
+                let at = |(angle, speeds): &(f64, Speeds)| {
+                    Some((*angle, speed(speeds.ranges.get(place)?)))
+                };
+                let mut points: Vec<(f64, f64)> = run.iter().filter_map(at).collect();
+                if let (Some(first), Some(last)) = (points.first(), points.last()) {
+                    let ends = [(from, first.1), (to, last.1)];
+                    points.insert(0, ends[0]);
+                    points.push(ends[1]);
+                }
+                points
+            };
+            let is_decided = |own: &SpeedRange| own.stability != Stability::Undecided;
+            regions.push(Region {
+                stability: own.stability,
+                below: along(&|own| own.from),
+                above: along(&|own| own.to),
+                ends_critically: is_decided(own) && next.is_some_and(is_decided),
+            });
+        }
+    }
+    regions
+}
+
+/// The figure in a sentence.
+pub fn caption(found: &SpeedsFound) -> String {
+    let angles = match (found.angles.first(), found.angles.last()) {
+        (Some((first, _)), Some((last, _))) if first < last => {
+            format!("from {}° to {}°", angle(*first), angle(*last))
+        }
+        (Some((only, _)), _) => format!("at {}°", angle(*only)),
+        _ => String::new(),
+    };
+    format!(
+        "The wind speeds at which the section gallops, {angles}, in exact arithmetic: none is missed up to {} m/s",
+        found.highest
+    )
+}
