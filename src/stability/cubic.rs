@@ -75,10 +75,10 @@ mod tests {
             for turn in 0..16 {
                 let p = Complex::new(p, 0.0);
                 let q = Complex::cis(f64::from(turn) * 0.4);
-                let [a, b, c] = roots([Complex::ZERO, 3.0 * p, 2.0 * q]).expect("roots");
+                let [a, b, c] = roots([Complex::ZERO, p * 3.0, q * 2.0]).expect("roots");
                 assert!((a + b + c).norm() < 1e-15);
-                assert!((a * b + b * c + c * a - 3.0 * p).norm() < 1e-14, "{p} {q}");
-                assert!((a * b * c + 2.0 * q).norm() < 1e-14, "{p} {q}");
+                assert!((a * b + b * c + c * a - p * 3.0).norm() < 1e-14, "{p} {q}");
+                assert!((a * b * c + q * 2.0).norm() < 1e-14, "{p} {q}");
             }
         }
     }
