@@ -5,7 +5,7 @@ mod point;
 mod range;
 
 pub use agreement::{Agreement, Method, Reason};
-pub(super) use point::{Answers, modes_of};
+pub(super) use point::{Answers, Following, modes_of};
 pub use point::{FollowedMode, Point, Value};
 pub use range::{AngleRange, UnstableRange, angle, listed};
 
@@ -21,7 +21,6 @@ use super::interpolation::CoefficientCurves;
 use super::model::Model;
 use super::section::Section;
 use super::state_matrix;
-use super::tracking::Mode;
 
 /// What the methods say of a case, at the angles of its sweep.
 #[derive(Clone, Debug)]
@@ -70,13 +69,12 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
         Ok((angle, answers))
     };
     let mut points = Vec::with_capacity(angles.len());
-    let mut before: Vec<(usize, Mode)> = Vec::new();
+    let mut following = Following::default();
     for block in angles.chunks(BLOCK) {
         let answered: Vec<_> = block.par_iter().map(answers).collect();
-        for answered in answered {
-            let (angle, answers) = answered?;
-            points.push(answers.point(angle, &mut before));
-        }
+        // The first error, not the one that was found first.
+        let answered: Vec<(f64, Answers)> = answered.into_iter().collect::<Result<_, _>>()?;
+        points.extend(following.points(answered));
     }
     let mut remarks = remarks(table);
     remarks.extend(case.remarks());

@@ -22,6 +22,8 @@ pub enum StabilityError {
     OutOfRange,
     /// No remedy gave eigenvalues whose error is bounded.
     NoEigenvalues,
+    /// S is not certain to a thousandth of |S_a|.
+    WeakWind,
 }
 
 impl fmt::Display for StabilityError {
@@ -47,6 +49,10 @@ impl fmt::Display for StabilityError {
             StabilityError::OutOfRange => write!(
                 formatter,
                 "the matrices of the section are too large or too small for doubles: check the units of its parameters"
+            ),
+            StabilityError::WeakWind => write!(
+                formatter,
+                "the wind is so weak beside the stiffness that S is not certain to a thousandth of |S_a|: give a higher wind speed"
             ),
             StabilityError::NoEigenvalues => write!(
                 formatter,

@@ -1,10 +1,9 @@
 //! A section with its mass centre moved away from the elastic centre.
 
 use super::case::Case;
-use super::comparison::{Answers, FollowedMode};
+use super::comparison::{Answers, FollowedMode, Following, Point};
 use super::error::StabilityError;
 use super::section::{Coefficients, Parameters, Section};
-use super::tracking::Mode;
 
 /// The modes of a section whose mass centre is at a distance e r from O.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,19 +29,19 @@ pub fn against_offset(
     largest: f64,
     steps: usize,
 ) -> Result<Vec<OffsetPoint>, StabilityError> {
-    let mut before: Vec<(usize, Mode)> = Vec::new();
-    (0..=steps)
-        .map(|step| {
-            let eccentricity = largest * step as f64 / steps.max(1) as f64;
-            let parameters = Parameters {
-                mass_centre_distance: eccentricity * case.parameters.radius_of_gyration,
-                ..*case.section(angle, coefficients)?.parameters()
-            };
-            let answers = Answers::new(&Section::new(parameters)?)?;
-            Ok(OffsetPoint {
-                eccentricity,
-                modes: answers.point(angle, &mut before).modes,
-            })
-        })
-        .collect()
+    let eccentricity = |step: usize| largest * step as f64 / steps.max(1) as f64;
+    let answers = |step: usize| {
+        let parameters = Parameters {
+            mass_centre_distance: eccentricity(step) * case.parameters.radius_of_gyration,
+            ..*case.section(angle, coefficients)?.parameters()
+        };
+        Ok((angle, Answers::new(&Section::new(parameters)?)?))
+    };
+    let answered: Result<Vec<_>, StabilityError> = (0..=steps).map(answers).collect();
+    let points = Following::default().points(answered?);
+    let offset = |(step, point): (usize, Point)| OffsetPoint {
+        eccentricity: eccentricity(step),
+        modes: point.modes,
+    };
+    Ok(points.into_iter().enumerate().map(offset).collect())
 }

@@ -21,8 +21,10 @@ pub(super) fn approximate_eigenvalues(
     let size = matrix.amax();
     SHIFTS.into_iter().filter_map(move |multiple| {
         let shift = multiple * size;
-        let n = matrix.nrows();
-        let shifted = matrix + DMatrix::from_diagonal_element(n, n, shift);
+        let mut shifted = matrix.clone();
+        for place in 0..matrix.nrows() {
+            shifted[(place, place)] += shift;
+        }
         let schur = Schur::try_new(shifted, f64::EPSILON, MOST_ITERATIONS)?;
         let values = schur.complex_eigenvalues();
         let values: Vec<_> = values.iter().map(|value| value - shift).collect();

@@ -346,7 +346,7 @@ fn shifts(parameters: Parameters, decide: Decide) -> Result<Shifts, StabilityErr
     let (exact, bound) = exact.ok_or(StabilityError::OutOfRange)?;
     let size = section.scaled_damping_norm();
     if bound > LARGEST_BOUND * size {
-        return Err(StabilityError::OutOfRange);
+        return Err(StabilityError::WeakWind);
     }
     let verdict = decide(&section, &spectrum);
     Ok(Form::ALL.map(|form| {

@@ -156,6 +156,7 @@ fn the_map_is_that_of_the_command() {
 fn held_coordinates_and_calm_air_have_no_map() {
     for (old, new, message) in [
         ("U = 9 ", "U = 0 ", "there is no wind"),
+        ("U = 9 ", "U = 1e-9 ", "the wind is so weak"),
         (
             "zeta_theta = 0",
             "zeta_theta = 0\nfree = [\"y\"]",

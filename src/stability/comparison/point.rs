@@ -1,5 +1,7 @@
 //! One angle, by every method.
 
+use rayon::prelude::*;
+
 use crate::stability::closed_form::{Estimate, closed_form};
 use crate::stability::companion;
 use crate::stability::coordinate::Coordinate;
@@ -118,11 +120,20 @@ impl Answers {
         })
     }
 
-    /// The point at an angle; `before` are the modes at the angle before, with their numbers.
-    pub(in crate::stability) fn point(self, angle: f64, before: &mut Vec<(usize, Mode)>) -> Point {
+    /// The point at an angle; `numbers` are those of the modes, in the order in which they were found.
+    fn point(self, angle: f64, numbers: &[usize]) -> Point {
+        let section = self.model.section();
+        let mode = |(&label, (mode, damping)): (&usize, &(Mode, Value))| FollowedMode {
+            label,
+            damping: *damping,
+            frequency: mode.frequency(),
+            mostly: mode.mostly(section),
+        };
+        let mut modes: Vec<FollowedMode> = numbers.iter().zip(&self.modes).map(mode).collect();
+        modes.sort_by_key(|mode| mode.label);
         Point {
             angle,
-            modes: followed(&self.model, self.modes, before),
+            modes,
             exact: self.exact,
             verdict: self.verdict,
             companion: self.companion,
@@ -132,6 +143,42 @@ impl Answers {
             scaled_damping: self.scaled_damping,
             second_order: self.second_order,
         }
+    }
+}
+
+/// Modes at the last angle, and their numbers.
+#[derive(Default)]
+pub(in crate::stability) struct Following {
+    modes: Vec<(Mode, Value)>,
+    numbers: Vec<usize>,
+}
+
+impl Following {
+    /// The points at the next angles. A mode that continues one keeps its number; where a pair becomes real, or
+    /// real ones a pair, all are numbered anew, by their order.
+    pub fn points(&mut self, answered: Vec<(f64, Answers)>) -> Vec<Point> {
+        let modes = |place: usize| answered.get(place).map(|(_, own)| own.modes.as_slice());
+        let continued = |place: usize| {
+            let before = place.checked_sub(1).and_then(modes);
+            let pair = [before.unwrap_or(&self.modes), modes(place)?];
+            let [old, new] = pair.map(|modes| modes.iter().map(|(mode, _)| mode));
+            let model = &answered.get(place)?.1.model;
+            follow(model, &old.collect::<Vec<_>>(), &new.collect::<Vec<_>>())
+        };
+        let places = (0..answered.len()).into_par_iter();
+        let continued: Vec<Option<&[usize]>> = places.map(continued).collect();
+        if let Some((_, last)) = answered.last() {
+            self.modes.clone_from(&last.modes);
+        }
+        let numbered = |((angle, own), continued): ((f64, Answers), Option<&[usize]>)| {
+            let mut numbers: Vec<usize> = (1..=own.modes.len()).collect();
+            for (&number, &place) in self.numbers.iter().zip(continued.unwrap_or_default()) {
+                numbers[place] = number;
+            }
+            self.numbers = numbers;
+            own.point(angle, &self.numbers)
+        };
+        answered.into_iter().zip(continued).map(numbered).collect()
     }
 }
 
@@ -146,40 +193,4 @@ pub(in crate::stability) fn modes_of(model: &Model, spectrum: &Spectrum) -> Vec<
         Some((Mode::new(model, own.value, place)?, damping))
     };
     places(spectrum).into_iter().filter_map(mode).collect()
-}
-
-/// Modes, each with the number of the one before that it continues.
-fn followed(
-    model: &Model,
-    next: Vec<(Mode, Value)>,
-    before: &mut Vec<(usize, Mode)>,
-) -> Vec<FollowedMode> {
-    let old: Vec<&Mode> = before.iter().map(|(_, mode)| mode).collect();
-    let new: Vec<&Mode> = next.iter().map(|(mode, _)| mode).collect();
-    let labels: Vec<usize> = match follow(model, &old, &new) {
-        Some(places) => {
-            let mut labels = vec![0; next.len()];
-            for ((label, _), &place) in before.iter().zip(places) {
-                labels[place] = *label;
-            }
-            labels
-        }
-        // Where a pair becomes real, or real ones a pair, modes are numbered anew.
-        None => (1..=next.len()).collect(),
-    };
-    let mut modes: Vec<FollowedMode> = labels
-        .iter()
-        .zip(&next)
-        .map(|(&label, (mode, damping))| FollowedMode {
-            label,
-            damping: *damping,
-            frequency: mode.frequency(),
-            mostly: mode.mostly(model.section()),
-        })
-        .collect();
-    modes.sort_by_key(|mode| mode.label);
-    let next = next.into_iter().map(|(mode, _)| mode);
-    *before = labels.into_iter().zip(next).collect();
-    before.sort_by_key(|(label, _)| *label);
-    modes
 }
