@@ -1,10 +1,10 @@
 //! The critical wind speeds of a case in words and numbers, said once for every view.
 
 use crate::stability::case::Case;
-use crate::stability::comparison::{AngleRange, angle, listed as angles_listed};
+use crate::stability::comparison::{AngleRange, Value, angle, listed as angles_listed};
 use crate::stability::critical_speed::{CriticalSpeed, SpeedRange, Speeds, Stability};
 
-use super::stability::{decimal, decimals};
+use super::stability::{decimal, rounded};
 
 /// The wind speeds of a case at its angles.
 #[derive(Clone, Debug)]
@@ -22,7 +22,8 @@ const MOST_DECIMALS: i32 = 9;
 
 /// A critical speed with the decimals that are certain, so many at most.
 pub fn critical_speed(own: &CriticalSpeed, most: i32) -> String {
-    decimal(own.speed, decimals(own.error, most))
+    let (value, error) = (own.speed, own.error);
+    rounded(Value { value, error }, most)
 }
 
 /// The ends of a range as far as they are certain: critical speeds, and the ends of all that is looked at.
@@ -98,7 +99,13 @@ pub fn conclusion(found: &SpeedsFound) -> String {
         };
         format!(
             "the lowest critical wind speed is {at_most}{} m/s, at {}°",
-            decimal(lowest, 4),
+            rounded(
+                Value {
+                    value: lowest,
+                    error: 1e-11 * lowest
+                },
+                4
+            ),
             angle(place)
         )
     };

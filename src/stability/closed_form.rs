@@ -44,8 +44,8 @@ pub enum Limitation {
 }
 
 impl Limitation {
-    /// In a word, as in tables: `held`, `detuned`, `damped`, `stiffness`, `eccentricity`, `strong` or
-    /// `no-roots`.
+    /// In a word, as in tables: `held`, `detuned`, `damped`, `stiffness`, `eccentricity`, `sign`,
+    /// `strong` or `no-roots`.
     pub fn name(&self) -> &'static str {
         match self {
             Limitation::NotAllFree => "held",

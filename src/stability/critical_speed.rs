@@ -165,7 +165,8 @@ const MOST_PRODUCTS: u64 = 1_000_000;
 /// Likewise with the constant coefficient, the determinant of the stiffness, which aerodynamic stiffness may
 /// make negative: then an odd number of real roots is above 0, and where it vanishes one of them passes 0.
 ///
-/// Without a highest speed above 0 there are no ranges. Bounded: at most 20,000 ranges are looked at.
+/// Without a highest speed above 0 there are no ranges. Bounded: at most 20,000 ranges are halved, with 256
+/// binary digits and, where these leave something open, with 1024.
 pub fn speeds(section: &ExactSection, highest: f64) -> Speeds {
     let unit = Rational::try_from(highest).unwrap_or_default();
     if unit <= Rational::ZERO {

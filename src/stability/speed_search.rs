@@ -88,7 +88,7 @@ pub(super) fn parts(
     let mut search = Search {
         parts: Vec::new(),
         halved: 0,
-        is_any_vanishing: determinants.last().is_some_and(vanishes),
+        is_last_vanishing: determinants.last().is_some_and(vanishes),
     };
     search.look(&forms, Integer::ZERO, 0);
     for part in &mut search.parts {
@@ -209,8 +209,8 @@ impl Forms {
 struct Search {
     parts: Vec<Part>,
     halved: usize,
-    /// Whether a determinant vanishes at all speeds: then nothing can be isolated but divergence.
-    is_any_vanishing: bool,
+    /// Whether the last determinant vanishes at all speeds: then nothing can be isolated but divergence.
+    is_last_vanishing: bool,
 }
 
 impl Search {
@@ -218,7 +218,7 @@ impl Search {
     fn look(&mut self, forms: &Forms, place: Integer, depth: usize) {
         let certain = match (forms.stiffness.sign(), forms.by_determinants()) {
             (KnownSign::Negative, _) => Some(Stability::Divergent),
-            (KnownSign::Positive, Stability::Undecided) if !self.is_any_vanishing => None,
+            (KnownSign::Positive, Stability::Undecided) if !self.is_last_vanishing => None,
             (KnownSign::Positive, decided) => Some(decided),
             _ => None,
         };

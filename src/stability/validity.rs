@@ -345,6 +345,14 @@ fn shifts(parameters: Parameters, decide: Decide) -> Result<Shifts, StabilityErr
     let exact = spectrum.damping_coefficient(&section);
     let (exact, bound) = exact.ok_or(StabilityError::OutOfRange)?;
     let size = section.scaled_damping_norm();
+    if size == 0.0 {
+        // Without forces there is nothing to be wrong about.
+        let right = Shift {
+            error: 0.0,
+            is_wrong: false,
+        };
+        return Ok([Some(right); 3]);
+    }
     if bound > LARGEST_BOUND * size {
         return Err(StabilityError::WeakWind);
     }

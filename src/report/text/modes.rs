@@ -71,7 +71,8 @@ fn number(value: f64, error: Option<f64>, is_formula: bool) -> (String, String) 
         None => (decimal(value, USUAL_DECIMALS), String::new()),
         Some(error) if is_formula => (
             significant(value, FORMULA_DIGITS),
-            format!(", off by up to {}", power(error)),
+            // Half a unit of the sixth digit is less than 5e-6 of the number.
+            format!(", off by up to {}", power(error + 5e-6 * value.abs())),
         ),
         Some(error) => {
             let decimals = decimals(error, MOST_DECIMALS);
