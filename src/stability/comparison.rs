@@ -156,7 +156,7 @@ fn weakened<'a>(
         Some(Remark {
             place: Place::file(&case.file),
             what: format!(
-                "a little more structural damping of {0} lowers S ({1}); where it does so most, at {2}°, 1 % more of zeta_{0} {change}",
+                "a little more structural damping of {0} lowers S ({1}); at {2}°, where it does so most steeply, adding 0.01 to zeta_{0} {change}",
                 coordinate.name(),
                 listed(&ranges),
                 angle(steepest.angle),
@@ -166,7 +166,7 @@ fn weakened<'a>(
     case.parameters.free.as_slice().iter().filter_map(remark)
 }
 
-/// S with 1 % more structural damping of a coordinate.
+/// S with a structural damping ratio larger by 0.01.
 fn with_more_damping(section: &Section, coordinate: Coordinate) -> Option<f64> {
     let mut parameters = *section.parameters();
     parameters.damping_ratios[coordinate.index()] += 0.01;

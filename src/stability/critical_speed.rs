@@ -61,7 +61,7 @@ impl SpeedRange {
 }
 
 /// Ranges that begin below this share of the highest speed have nothing below them.
-const LOWEST: f64 = 1e-35;
+const LOWEST: f64 = 1e-30;
 
 /// A wind speed at which stability changes: a simple root of Hurwitz' last determinant but one, or of the
 /// determinant of the stiffness.
@@ -78,7 +78,7 @@ pub struct CriticalSpeed {
 /// The wind speeds above 0 up to a highest one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Speeds {
-    /// Ranges in order. Speeds below 2⁻¹²⁰ of the highest may be in none of them.
+    /// Ranges in order. Speeds below 2⁻¹⁰⁰ of the highest may be in none of them.
     pub ranges: Vec<SpeedRange>,
     /// The speeds at which stability changes for certain, in order, each between two ranges.
     pub critical: Vec<CriticalSpeed>,

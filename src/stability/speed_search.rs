@@ -39,9 +39,9 @@ impl Part {
         }
     }
 
-    /// Whether it is what is nearest to 0, and not looked into any more.
+    /// Whether it is so near to 0 that what is not decided there is left out.
     pub fn is_lowest(&self) -> bool {
-        self.from.is_zero() && self.to == share(Integer::ONE, DEEPEST)
+        self.to <= share(Integer::ONE, LOWEST)
     }
 }
 
@@ -50,7 +50,8 @@ fn share(place: Integer, depth: usize) -> Rational {
     Rational::from(place) / Rational::from(Integer::ONE << depth)
 }
 
-/// A part next to 0 is halved so often.
+/// What is not decided below this power of 1/2 is left out, and a part next to 0 is halved somewhat more often.
+const LOWEST: usize = 100;
 const DEEPEST: usize = 120;
 
 /// Any other one until it is less than this power of 1/2 of the speeds in it.
@@ -238,7 +239,7 @@ impl Search {
         };
         let [from, to] = [place.clone(), place + Integer::ONE].map(|own| share(own, depth));
         match self.parts.last_mut() {
-            // What is nearest to 0 stays by itself.
+            // What may be left out stays by itself.
             Some(last) if last.found == found && !last.is_lowest() => last.to = to,
             _ => self.parts.push(Part { from, to, found }),
         }
