@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use sextic::report::csv::{comparison, grid_row};
 use sextic::stability::axis::Axis;
 use sextic::stability::case::Case;
-use sextic::stability::closed_form::closed_form;
+use sextic::stability::closed_form::{closed_form, inputs};
 use sextic::stability::coefficient_table::CoefficientTable;
 use sextic::stability::comparison::compare as compare_methods;
 use sextic::stability::critical_speed::speeds;
@@ -29,9 +29,7 @@ use sextic::stability::uniform_form::uniform_form;
 use sextic::stability::variable::Variable;
 use sextic::stability::verdict::{exact_verdict, verdict};
 use sextic::stability::{companion, cubic, state_matrix};
-use sextic_evaluators::closed_form::{
-    ClosedFormAngles, ClosedFormInputs, closed_form as closed_form_evaluator,
-};
+use sextic_evaluators::closed_form::closed_form as closed_form_evaluator;
 use sextic_evaluators::modal_damping::{ModalDampingInputs, modal_damping};
 use sextic_evaluators::uniform_cubic::{UniformCubicInputs, uniform_cubic};
 use side_by_side::{Contender, compare};
@@ -64,22 +62,23 @@ fn main() {
     );
 }
 
+/// The sections of a case at all its angles, and their models.
+fn sections_and_models(case: &Case, table: &CoefficientTable) -> (Vec<Section>, Vec<Model>) {
+    let curves = CoefficientCurves::new(table, case.interpolation);
+    let section = |angle: f64| case.section(angle, curves.at(angle).unwrap()).unwrap();
+    let sections = case.angles.values().into_iter().map(section);
+    sections.map(|own| (own, Model::new(&own).unwrap())).unzip()
+}
+
 /// Everything that `sextic stability` computes, and its parts.
 fn all_methods(case: &Case, table: &CoefficientTable) {
-    let angles = case.angles.values();
-    let curves = CoefficientCurves::new(table, case.interpolation);
-    let section = |angle: &f64| case.section(*angle, curves.at(*angle).unwrap()).unwrap();
-    let sections: Vec<Section> = angles.iter().map(section).collect();
-    let models: Vec<Model> = sections
-        .iter()
-        .map(|section| Model::new(section).unwrap())
-        .collect();
+    let (sections, models) = sections_and_models(case, table);
     let spectra: Vec<_> = models
         .iter()
         .map(|model| state_matrix::eigenvalues(model).unwrap())
         .collect();
     let matrices: Vec<_> = models.iter().map(Model::state_matrix).collect();
-    let count = angles.len();
+    let count = sections.len();
     let title = format!("{} at 3,600 angles, each:", case.file);
     compare(
         &title,
@@ -165,15 +164,8 @@ fn all_methods(case: &Case, table: &CoefficientTable) {
 /// The closed forms and one complex cubic, and the uniform form of the second order, for perfect tuning: by what
 /// is compiled; and by the library, which finds the modes of any frequencies.
 fn uniform_forms(case: &Case, table: &CoefficientTable) {
-    let angles = case.angles.values();
-    let curves = CoefficientCurves::new(table, case.interpolation);
-    let section = |angle: &f64| case.section(*angle, curves.at(*angle).unwrap()).unwrap();
-    let sections: Vec<Section> = angles.iter().map(section).collect();
-    let models: Vec<Model> = sections
-        .iter()
-        .map(|own| Model::new(own).unwrap())
-        .collect();
-    let closed: Vec<_> = sections.iter().map(closed_form_inputs).collect();
+    let (sections, models) = sections_and_models(case, table);
+    let closed: Vec<_> = sections.iter().map(inputs).collect();
     let uniform: Vec<_> = sections.iter().map(modal_damping_inputs).collect();
     let cubics: Vec<_> = uniform.iter().map(second_order_cubic).collect();
     for ((inputs, cubic), model) in uniform.iter().zip(&cubics).zip(&models) {
@@ -182,7 +174,7 @@ fn uniform_forms(case: &Case, table: &CoefficientTable) {
         let other = uniform_form(model).unwrap().largest_real_part();
         assert!((largest - other).abs() <= 1e-12 * inputs.omega_n);
     }
-    let count = angles.len();
+    let count = sections.len();
     compare(
         "tuned.toml by closed form and by the uniform form, each angle:",
         vec![
@@ -212,34 +204,9 @@ fn uniform_forms(case: &Case, table: &CoefficientTable) {
 }
 
 #[allow(non_snake_case)]
-fn closed_form_inputs(section: &Section) -> ClosedFormInputs<f64> {
-    let p = section.parameters();
-    let [[S_xx, S_xy, S_xt], [S_yx, S_yy, S_yt], [S_tx, S_ty, S_tt]] = section.scaled_damping();
-    ClosedFormInputs::from(&ClosedFormAngles {
-        m: p.mass,
-        r: p.radius_of_gyration,
-        L_g: p.mass_centre_distance,
-        alpha_g: p.mass_centre_angle,
-        theta_0: p.attitude,
-        rho: p.air_density,
-        D: p.reference_dimension,
-        U: p.wind_speed,
-        S_xx,
-        S_xy,
-        S_yx,
-        S_yy,
-        S_xt,
-        S_yt,
-        S_tx,
-        S_ty,
-        S_tt,
-    })
-}
-
-#[allow(non_snake_case)]
 fn modal_damping_inputs(section: &Section) -> ModalDampingInputs<f64> {
     let p = section.parameters();
-    let own = closed_form_inputs(section);
+    let own = inputs(section);
     let [zeta_x, zeta_y, zeta_theta] = p.damping_ratios;
     ModalDampingInputs {
         m: own.m,

@@ -53,6 +53,32 @@ impl<A: Arithmetic> Univariate<'_, A> {
         Ok(self.polynomial(slopes))
     }
 
+    /// The value at a number, by Horner's rule.
+    ///
+    /// # Errors
+    ///
+    /// Those of the coefficients.
+    pub fn value(&self, a: &[A::Element], at: &A::Element) -> Result<A::Element, A::Error> {
+        let step = |sum, own| self.0.sum(&self.0.product(&sum, at)?, own);
+        a.iter().rev().try_fold(self.0.zero(), step)
+    }
+
+    /// The coefficients of a(x + by), by repeated division.
+    ///
+    /// # Errors
+    ///
+    /// Those of the coefficients.
+    pub fn shifted(&self, a: &[A::Element], by: &A::Element) -> Result<Coefficients<A>, A::Error> {
+        let mut shifted = a.to_vec();
+        for lowest in 0..shifted.len() {
+            for power in (lowest + 1..shifted.len()).rev() {
+                let product = self.0.product(&shifted[power], by)?;
+                shifted[power - 1] = self.0.sum(&shifted[power - 1], &product)?;
+            }
+        }
+        Ok(shifted)
+    }
+
     /// q and s with lᵏ·a = q·b + s, where l is the leading coefficient of b, k is even, and s has a lower
     /// degree than b: nothing is divided, and lᵏ is not negative where l is real.
     ///
@@ -134,5 +160,35 @@ impl<A: Arithmetic> Arithmetic for Univariate<'_, A> {
             }
         }
         Ok(self.polynomial(product))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::algebra::budget::Budget;
+    use crate::algebra::number::Rational;
+    use crate::algebra::trigonometric_sum::{TrigonometricSum, TrigonometricSums};
+
+    fn number(own: i64) -> TrigonometricSum {
+        TrigonometricSum::from(Rational::from(own))
+    }
+
+    proptest! {
+        #[test]
+        fn a_shifted_polynomial_has_the_values_farther_on(
+            coefficients in prop::collection::vec(-9_i64..10, 0..8), by in -5_i64..6, at in -5_i64..6,
+        ) {
+            let numbers = TrigonometricSums::new(Budget::new(10_000));
+            let polynomials = Univariate(&numbers);
+            let powers = (0..).map(|power| (at + by).pow(power));
+            let value: i64 = coefficients.iter().zip(powers).map(|(own, power)| own * power).sum();
+            let polynomial = polynomials.polynomial(coefficients.into_iter().map(number).collect());
+            let shifted = polynomials.shifted(&polynomial, &number(by)).unwrap();
+            prop_assert_eq!(polynomials.value(&shifted, &number(at)).unwrap(), number(value));
+            prop_assert_eq!(polynomials.value(&polynomial, &number(at + by)).unwrap(), number(value));
+        }
     }
 }

@@ -29,6 +29,8 @@ mod stability;
 mod sweep;
 #[cfg(feature = "stability")]
 mod validity;
+#[cfg(feature = "stability")]
+mod view;
 
 use std::process::ExitCode;
 

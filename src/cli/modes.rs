@@ -91,6 +91,7 @@ Shapes (state, companion, exact):
   They are computed in doubles and have no bound of their error.
 
 Members of --format json:
+  method       what found the eigenvalues: state, too, where it stands in for exact
   eigenvalues  re and im in 1/s; error, the bound above, in 1/s, or null where there is none;
                with --shapes also shape: x, y and r_theta, each with re and im, or null
   s3d          -4 m max(re)/(rho D U), or null without wind
@@ -160,7 +161,8 @@ fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
         Method::Exact => {
             let ExactModes { spectrum, fallback } =
                 exact_modes::eigenvalues(&model).map_err(refuse)?;
-            let mut found = by_spectrum("exact", &spectrum);
+            let found_by = fallback.map_or("exact", |_| "state");
+            let mut found = by_spectrum(found_by, &spectrum);
             found.warnings.extend(fallback.map(|own| own.to_string()));
             found
         }

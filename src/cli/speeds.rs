@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 
 use crate::report::speeds::SpeedsFound;
 use crate::report::{csv, json, speeds_figure, text};
@@ -10,14 +10,14 @@ use crate::stability::critical_speed::speeds_of;
 
 use super::Outcome;
 use super::case::{case_and_table, refuse};
-use super::file::write_made;
-use super::output::{finish, width};
+use super::view::View;
 
 /// Finds the critical wind speeds of a case, all of them
 ///
 /// At each angle of the case: from which wind speed on the section gallops, and at which it is stable again.
 /// The speeds are the roots of a Hurwitz determinant as a polynomial in U, isolated in exact arithmetic, so
-/// that none is missed; those of static divergence are roots of the determinant of the stiffness. The wind
+/// that none is missed but where speeds are undecided; those of static divergence are roots of the determinant
+/// of the stiffness. The wind
 /// speed of the case does not matter. Numbers of the case count as doubles.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
@@ -30,32 +30,12 @@ pub struct Arguments {
     #[arg(long, value_name = "SPEED", default_value_t = USUAL_HIGHEST, value_parser = speed, allow_hyphen_values = true)]
     to: f64,
 
-    /// How the results are written
-    #[arg(long, value_enum, default_value_t = Form::Text)]
-    format: Form,
-
-    /// Also draw the speeds over the angle, as SVG
-    #[arg(long, value_name = "FILE.svg")]
-    plot: Option<PathBuf>,
-
-    /// How many columns text may fill (at least 40); as many as the terminal has if not given
-    #[arg(long, value_name = "COLUMNS", value_parser = clap::value_parser!(u16).range(40..))]
-    width: Option<u16>,
+    #[command(flatten)]
+    view: View,
 }
 
 /// In m/s: faster than wind that a section must bear.
 pub const USUAL_HIGHEST: f64 = 100.0;
-
-/// How speeds are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Form {
-    /// A page for a terminal: the lowest critical speed, and where each angle gallops
-    Text,
-    /// A row a range of speeds
-    Csv,
-    /// For programs, with critical speeds and their errors
-    Json,
-}
 
 const EXAMPLES: &str = "\
 Verdicts:
@@ -66,8 +46,9 @@ Verdicts:
   undecided  none is shown: a real part that is exactly 0 at every speed, or speeds closer than
              1e-12 of themselves
 
-Rows of --format csv are ranges of speeds, with as many decimals as are certain. Between ranges that
-are decided and differ there is exactly one critical speed.
+Columns of --format csv, a row a range of speeds: alpha_deg, from and to with as many decimals as
+are certain, verdict. Between ranges that are decided and differ there is exactly one critical
+speed; --format json has it with its error.
 
 Examples:
   sextic speeds case.toml
@@ -89,17 +70,12 @@ pub fn run(arguments: &Arguments) -> Outcome {
         highest: arguments.to,
         angles,
     };
-    if let Some(path) = &arguments.plot
-        && let Err(outcome) = write_made(path, speeds_figure::figure(&found).svg())
-    {
-        return outcome;
-    }
-    let written = match arguments.format {
-        Form::Text => text::speeds(&found, width(arguments.width)),
-        Form::Csv => csv::speeds(&found),
-        Form::Json => json::speeds(&found),
-    };
-    finish(&written, Outcome::AsExpected)
+    arguments.view.show(
+        || speeds_figure::figure(&found).svg(),
+        |width| text::speeds(&found, width),
+        || csv::speeds(&found),
+        || json::speeds(&found),
+    )
 }
 
 /// A speed above 0 that makes sense: nothing is faster than light.

@@ -2,15 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 
 use crate::report::{csv, json, stability_figure, text};
 use crate::stability::comparison::{Comparison, compare};
 
 use super::Outcome;
 use super::case::{case_and_table, refuse};
-use super::file::write_made;
-use super::output::{finish, width};
+use super::view::View;
 
 /// Shows at which angles a section gallops, and how the methods agree
 ///
@@ -25,28 +24,8 @@ pub struct Arguments {
     #[arg(value_name = "CASE")]
     case: PathBuf,
 
-    /// How the results are written
-    #[arg(long, value_enum, default_value_t = Curves::Text)]
-    format: Curves,
-
-    /// Also draw the curves, as SVG
-    #[arg(long, value_name = "FILE.svg")]
-    plot: Option<PathBuf>,
-
-    /// How many columns text may fill (at least 40); as many as the terminal has if not given
-    #[arg(long, value_name = "COLUMNS", value_parser = clap::value_parser!(u16).range(40..))]
-    width: Option<u16>,
-}
-
-/// How curves are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Curves {
-    /// A page for a terminal: unstable ranges, agreement of the methods, warnings
-    Text,
-    /// A row an angle; an empty cell is a method that does not apply
-    Csv,
-    /// For programs, with bounds of all errors
-    Json,
+    #[command(flatten)]
+    view: View,
 }
 
 const EXAMPLES: &str = "\
@@ -91,13 +70,17 @@ aerodynamic_stiffness = true. Drag is along the relative wind, lift 90 degrees a
 it, each rho D U^2 C/2; the moment is about O in the sense of theta, rho D^2 U^2 C_M/2.
 
 Modes are numbered by their frequency at the first angle, the highest first, and followed by their
-shapes.
+shapes. Where strong damping or stiffness splits a pair of eigenvalues into two real ones, one of
+them goes on, and the other takes the next free number.
 
-Columns of --format csv: s3d_exact (state matrix), s3d_companion, s3d_closed, s3d_uniform;
-error_exact and error_companion, within which what is exact lies of the number that is printed;
-verdict (stable, unstable or undecided, certain for the numbers as doubles: by the errors, or by
-exact arithmetic); number and frequency of the mode with the least damping; S and frequency of every
-mode.
+Columns of --format csv, a row an angle (an empty cell is a method that does not apply):
+  alpha_deg
+  s3d_exact (state matrix), s3d_companion, s3d_closed, s3d_uniform: S_3D, or S of fewer freedoms
+  error_exact, error_companion: what is exact is no farther from the number that is printed
+  verdict: stable, unstable or undecided, certain for the numbers as doubles: by the errors, or by
+  exact arithmetic
+  mode, frequency_hz: number and frequency of the mode with the least damping
+  s_mode_1, frequency_hz_mode_1 and so on: S and frequency of every mode
 
 Exit status:
   0  the case was computed, whether the section gallops or not
@@ -109,17 +92,12 @@ pub fn run(arguments: &Arguments) -> Outcome {
         Ok(comparison) => comparison,
         Err(outcome) => return outcome,
     };
-    if let Some(path) = &arguments.plot
-        && let Err(outcome) = write_made(path, stability_figure::figure(&comparison).svg())
-    {
-        return outcome;
-    }
-    let written = match arguments.format {
-        Curves::Text => text::comparison(&comparison, width(arguments.width)),
-        Curves::Csv => csv::comparison(&comparison),
-        Curves::Json => json::comparison(&comparison),
-    };
-    finish(&written, Outcome::AsExpected)
+    arguments.view.show(
+        || stability_figure::figure(&comparison).svg(),
+        |width| text::comparison(&comparison, width),
+        || csv::comparison(&comparison),
+        || json::comparison(&comparison),
+    )
 }
 
 /// A case from the disk, compared at all its angles.

@@ -80,7 +80,8 @@ Columns, after the quantities and the angle, as far as their methods are asked:
   closed_limits, uniform_limits: what speaks against the form, in words: held (a coordinate),
   detuned, damped (structural damping is left out), stiffness (aerodynamic stiffness is),
   eccentricity (below the aerodynamic damping), sign (S is as small as what is left out), strong
-  (damping)
+  (damping, above a tenth: for the closed form of a mode over its frequency, for the uniform form
+  the norm of all damping over twice the lowest frequency), no-roots (none found in doubles)
 
 An interrupted sweep says so, and leaves its rows in a file whose name ends in .part, beside
 the other one.

@@ -9,9 +9,7 @@ use crate::stability::validity::validity;
 
 use super::Outcome;
 use super::case::{case_and_table, refuse};
-use super::file::write_made;
-use super::output::{finish, width};
-use super::stability::Curves;
+use super::view::View;
 
 /// Shows where the closed forms of a case may be trusted
 ///
@@ -25,17 +23,8 @@ pub struct Arguments {
     #[arg(value_name = "CASE")]
     case: PathBuf,
 
-    /// How the results are written
-    #[arg(long, value_enum, default_value_t = Curves::Text)]
-    format: Curves,
-
-    /// Also draw the maps, as SVG
-    #[arg(long, value_name = "FILE.svg")]
-    plot: Option<PathBuf>,
-
-    /// How many columns text may fill (at least 40); as many as the terminal has if not given
-    #[arg(long, value_name = "COLUMNS", value_parser = clap::value_parser!(u16).range(40..))]
-    width: Option<u16>,
+    #[command(flatten)]
+    view: View,
 }
 
 const EXAMPLES: &str = "\
@@ -64,15 +53,10 @@ pub fn run(arguments: &Arguments) -> Outcome {
         Ok(validity) => validity,
         Err(error) => return refuse(&error),
     };
-    if let Some(path) = &arguments.plot
-        && let Err(outcome) = write_made(path, validity_figure::map(&validity).svg())
-    {
-        return outcome;
-    }
-    let written = match arguments.format {
-        Curves::Text => text::validity(&validity, width(arguments.width)),
-        Curves::Csv => csv::validity(&validity),
-        Curves::Json => json::validity(&validity),
-    };
-    finish(&written, Outcome::AsExpected)
+    arguments.view.show(
+        || validity_figure::map(&validity).svg(),
+        |width| text::validity(&validity, width),
+        || csv::validity(&validity),
+        || json::validity(&validity),
+    )
 }

@@ -8,7 +8,7 @@ use crate::stability::verdict::Verdict;
 /// What a method says of a section.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModesFound {
-    /// The method: `closed`, `uniform`, `exact`, `companion`, `state`.
+    /// The method that found them: `closed`, `uniform`, `exact`, `companion`, `state`.
     pub method: &'static str,
     /// Whether eigenvalues are those of a formula, and their errors what it leaves out; else they are exact
     /// but for rounding, and shown as far as they are certain.

@@ -41,17 +41,23 @@ pub fn ends(own: &SpeedRange, speeds: &Speeds, most: i32) -> [String; 2] {
     [end(own.from), end(own.to)]
 }
 
+/// Whether anything is of this stability, at any angle.
+pub fn is_any(found: &SpeedsFound, stability: Stability) -> bool {
+    let mut ranges = found.angles.iter().flat_map(|(_, speeds)| &speeds.ranges);
+    ranges.any(|own| own.stability == stability)
+}
+
+/// What the section does where it is not stable.
+pub fn what_it_does(found: &SpeedsFound) -> &'static str {
+    match [Stability::Unstable, Stability::Divergent].map(|own| is_any(found, own)) {
+        [true, true] => "gallops or diverges",
+        [false, true] => "diverges",
+        _ => "gallops",
+    }
+}
+
 /// Where the section gallops: the lowest critical speed, in a sentence.
 pub fn conclusion(found: &SpeedsFound) -> String {
-    let is_any = |stability| {
-        let mut ranges = found.angles.iter().flat_map(|(_, speeds)| &speeds.ranges);
-        ranges.any(|own: &SpeedRange| own.stability == stability)
-    };
-    let does = match (is_any(Stability::Unstable), is_any(Stability::Divergent)) {
-        (true, true) => "gallops or diverges",
-        (false, true) => "diverges",
-        _ => "gallops",
-    };
     let first = |speeds: &Speeds, kinds: &[Stability]| {
         let mut ranges = speeds.ranges.iter();
         ranges
@@ -109,6 +115,7 @@ pub fn conclusion(found: &SpeedsFound) -> String {
             angle(place)
         )
     };
+    let does = what_it_does(found);
     format!("The section {does} at {count} of {all} angles; {from}.")
 }
 

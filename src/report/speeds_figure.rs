@@ -4,31 +4,20 @@ use crate::stability::comparison::angle;
 use crate::stability::critical_speed::{SpeedRange, Speeds, Stability};
 
 use super::figure::{Curve, Figure, Fill, Patch, Stroke};
-use super::speeds::{SpeedsFound, alike};
-use super::stability::given;
+use super::speeds::{SpeedsFound, alike, is_any, what_it_does};
+use super::stability::{given, with_stiffness};
 use super::stability_figure::name;
 
-/// Where the section gallops, shaded, with the critical speeds around it; what is not decided is hatched.
+/// Where the section gallops, shaded, and where it diverges, darker, with the critical speeds around it; what
+/// is not decided is hatched.
 pub fn figure(found: &SpeedsFound) -> Figure {
     let regions: Vec<Region> = regions(found);
-    let patches = [
-        (
-            is_unstable as fn(Stability) -> bool,
-            "unstable",
-            Fill::Shaded,
-        ),
-        (
-            |own| own == Stability::Undecided,
-            "not decided",
-            Fill::Hatched,
-        ),
-    ];
-    let patch = |(is_shown, label, fill): (fn(Stability) -> bool, &str, Fill)| Patch {
+    let patch = |(stability, label, fill): (Stability, &str, Fill)| Patch {
         label: label.into(),
         fill,
         pieces: regions
             .iter()
-            .filter(|own| is_shown(own.stability))
+            .filter(|own| own.stability == stability)
             .map(Region::outline)
             .collect(),
     };
@@ -51,7 +40,7 @@ pub fn figure(found: &SpeedsFound) -> Figure {
         });
     }
     // What is stable is white, and belongs to the figure all the same.
-    let mut patches: Vec<Patch> = patches.map(patch).into();
+    let mut patches: Vec<Patch> = PATCHES.map(patch).into();
     patches.retain(|own| own.fill == Fill::Shaded || !own.pieces.is_empty());
     let corner = |own: &(f64, Speeds)| vec![(own.0, 0.0), (own.0, found.highest)];
     if let Some(shaded) = patches.first_mut() {
@@ -60,9 +49,10 @@ pub fn figure(found: &SpeedsFound) -> Figure {
     }
     Figure {
         title: format!(
-            "{}: wind speeds up to {} m/s",
+            "{}: wind speeds up to {} m/s{}",
             name(&found.case),
-            found.highest
+            found.highest,
+            with_stiffness(&found.case)
         ),
         x_label: "angle of attack α (degrees)".into(),
         is_angle: true,
@@ -76,10 +66,12 @@ pub fn figure(found: &SpeedsFound) -> Figure {
     }
 }
 
-/// Galloping, divergence or both.
-fn is_unstable(stability: Stability) -> bool {
-    matches!(stability, Stability::Unstable | Stability::Divergent)
-}
+/// How what is not stable is drawn.
+const PATCHES: [(Stability, &str, Fill); 3] = [
+    (Stability::Unstable, "gallops", Fill::Shaded),
+    (Stability::Divergent, "diverges", Fill::Dark),
+    (Stability::Undecided, "not decided", Fill::Hatched),
+];
 
 /// Speeds of one stability at neighbouring angles.
 struct Region {
@@ -152,8 +144,13 @@ pub fn caption(found: &SpeedsFound) -> String {
         (Some((only, _)), _) => format!("at {}°", angle(*only)),
         _ => String::new(),
     };
+    let but = match is_any(found, Stability::Undecided) {
+        true => " but for what is hatched",
+        false => "",
+    };
     format!(
-        "The wind speeds at which the section gallops, {angles}, in exact arithmetic: none is missed up to {} m/s",
+        "The wind speeds at which the section {}, {angles}, in exact arithmetic: none up to {} m/s is missed{but}",
+        what_it_does(found),
         found.highest
     )
 }

@@ -3,7 +3,8 @@
 use crate::stability::comparison::angle;
 use crate::stability::validity::{Form, TOLERANCE, Validity};
 
-/// The largest error of a form for the case as it is, and what is wrong: `1.2e-1 (at 68.5°), wrong sign at 9 of 361 angles`.
+/// The largest error of a form for the case as it is, and what is wrong: `1.2e-1 (at 68.5°), wrong sign at 9 of
+/// 361 angles`.
 pub fn departure(validity: &Validity, form: Form) -> String {
     let angles = validity.own_angles;
     let Some(own) = validity.own_departures[form as usize] else {

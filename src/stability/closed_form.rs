@@ -11,10 +11,14 @@ use super::section::Section;
 pub(super) const STRONG: f64 = 0.1;
 
 /// What speaks against a closed form for a section.
-#[derive(Clone, Copy, Debug, PartialEq)]
+///
+/// In the order in which one should look; of one kind, the greater is the worse.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub enum Limitation {
     /// A coordinate is held: they do not apply.
     NotAllFree,
+    /// No modes without wind, or no roots, were found in doubles.
+    NoRoots,
     /// The natural frequencies differ: they do not apply.
     NotTuned,
     /// There is structural damping, which they leave out.
@@ -23,10 +27,10 @@ pub enum Limitation {
     AerodynamicStiffness,
     /// e ≤ δ|S|: the modes are separated by less than they are damped, and even the sign may be wrong.
     Eccentricity {
-        /// e = L_g/r.
-        eccentricity: f64,
         /// δ|S| with δ = ρ D U/(2 m ω_n) and the Frobenius norm of S_a, Eq. (18).
         damping: f64,
+        /// e = L_g/r.
+        eccentricity: f64,
     },
     /// |S| ≤ |S_a| (δ|S_a|/e)²: what is left out may be as large as the result, and of the other sign.
     Sign {
@@ -39,8 +43,6 @@ pub enum Limitation {
         /// coordinates over twice the lowest frequency.
         damping: f64,
     },
-    /// No modes without wind, or no roots, were found in doubles.
-    NoRoots,
 }
 
 impl Limitation {
@@ -64,11 +66,14 @@ impl fmt::Display for Limitation {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Limitation::NotAllFree => {
-                write!(formatter, "this form needs x, y and theta to be free")
+                write!(
+                    formatter,
+                    "this form needs x, y and theta free, and not all are"
+                )
             }
             Limitation::NotTuned => write!(
                 formatter,
-                "the closed form needs perfect tuning: omega_x = omega_y = omega_theta"
+                "the closed form needs perfect tuning, and the natural frequencies differ"
             ),
             Limitation::StructuralDamping => {
                 write!(
@@ -87,11 +92,13 @@ impl fmt::Display for Limitation {
                 damping,
             } => write!(
                 formatter,
-                "the eccentricity {eccentricity:.2e} is not above the aerodynamic damping {damping:.2e}: the closed form may have the wrong sign"
+                "the eccentricity L_g/r = {} is not above the aerodynamic damping δ|S_a| = {}: the closed form may have the wrong sign",
+                short(*eccentricity),
+                short(*damping)
             ),
             Limitation::Sign { second_order } => write!(
                 formatter,
-                "the closed form leaves out what is of the order (delta |S_a|/e)^2 = {second_order:.1e} of |S_a|, as much as its S: it may have the wrong sign"
+                "the closed form leaves out what is of the order (δ|S_a| r/L_g)² = {second_order:.1e} of |S_a|, as much as its S: it may have the wrong sign"
             ),
             Limitation::StrongDamping { damping } => write!(
                 formatter,
@@ -102,6 +109,15 @@ impl fmt::Display for Limitation {
                 "the modes without wind were not found in doubles"
             ),
         }
+    }
+}
+
+/// Some three digits of a number that is not negative.
+fn short(number: f64) -> String {
+    match number {
+        0.0 => "0".to_string(),
+        0.01..1e3 => format!("{number:.3}"),
+        _ => format!("{number:.2e}"),
     }
 }
 
@@ -154,7 +170,6 @@ impl Estimate {
 ///
 /// If they do not apply: [`Limitation::NotAllFree`], [`Limitation::NotTuned`]. Frequencies count as
 /// equal if they differ by at most 1e-9 of themselves.
-#[allow(non_snake_case)]
 pub fn closed_form(section: &Section) -> Result<ClosedForm, Limitation> {
     let p = section.parameters();
     if !p.free.are_all() {
@@ -165,27 +180,7 @@ pub fn closed_form(section: &Section) -> Result<ClosedForm, Limitation> {
     if !p.natural_frequencies.iter().all(is_tuned) {
         return Err(Limitation::NotTuned);
     }
-    let [[S_xx, S_xy, S_xt], [S_yx, S_yy, S_yt], [S_tx, S_ty, S_tt]] = section.scaled_damping();
-    let parts =
-        sextic_evaluators::closed_form::closed_form(&ClosedFormInputs::from(&ClosedFormAngles {
-            m: p.mass,
-            r: p.radius_of_gyration,
-            L_g: p.mass_centre_distance,
-            alpha_g: p.mass_centre_angle,
-            theta_0: p.attitude,
-            rho: p.air_density,
-            D: p.reference_dimension,
-            U: p.wind_speed,
-            S_xx,
-            S_xy,
-            S_yx,
-            S_yy,
-            S_xt,
-            S_yt,
-            S_tx,
-            S_ty,
-            S_tt,
-        }));
+    let parts = sextic_evaluators::closed_form::closed_form(&inputs(section));
     let e = section.eccentricity();
     let eigenvalues = [
         Complex::new(parts.lamda_R1, omega_n / (1.0 - e).sqrt()),
@@ -195,6 +190,32 @@ pub fn closed_form(section: &Section) -> Result<ClosedForm, Limitation> {
     Ok(ClosedForm {
         eigenvalues,
         warnings: warnings(section, &eigenvalues),
+    })
+}
+
+/// What the evaluator of Eqs. (21)–(23) takes, of a section.
+#[allow(non_snake_case)]
+pub fn inputs(section: &Section) -> ClosedFormInputs<f64> {
+    let p = section.parameters();
+    let [[S_xx, S_xy, S_xt], [S_yx, S_yy, S_yt], [S_tx, S_ty, S_tt]] = section.scaled_damping();
+    ClosedFormInputs::from(&ClosedFormAngles {
+        m: p.mass,
+        r: p.radius_of_gyration,
+        L_g: p.mass_centre_distance,
+        alpha_g: p.mass_centre_angle,
+        theta_0: p.attitude,
+        rho: p.air_density,
+        D: p.reference_dimension,
+        U: p.wind_speed,
+        S_xx,
+        S_xy,
+        S_yx,
+        S_yy,
+        S_xt,
+        S_yt,
+        S_tx,
+        S_ty,
+        S_tt,
     })
 }
 

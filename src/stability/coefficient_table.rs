@@ -93,7 +93,7 @@ impl CoefficientTable {
             .delimiter(separator)
             .from_reader(text.as_bytes());
         let mut records = reader.records();
-        let Some(heading) = next(file, &mut records)? else {
+        let Some((line, heading)) = next(file, text, &mut records)? else {
             let help = "the first row names the columns alpha_deg, CL, CD, CM";
             return Err(InputError::new(
                 Place::file(file),
@@ -101,16 +101,16 @@ impl CoefficientTable {
                 help,
             ));
         };
-        let columns = Columns::read(file, &heading)?;
+        let columns = Columns::read(file, line, &heading)?;
         let mut table = CoefficientTable {
             file: file.into(),
             rows: Vec::new(),
             given_slopes: columns.given_slopes(),
         };
-        while let Some(record) = next(file, &mut records)? {
+        while let Some((line, record)) = next(file, text, &mut records)? {
             // A row of empty cells is how a spreadsheet ends.
             if record.iter().any(|cell| !cell.is_empty()) {
-                table.add(&columns, &record, separator)?;
+                table.add(&columns, line, &record, separator)?;
             }
         }
         table.check()?;
@@ -178,10 +178,11 @@ impl CoefficientTable {
     fn add(
         &mut self,
         columns: &Columns,
+        line: usize,
         record: &StringRecord,
         separator: u8,
     ) -> Result<(), InputError> {
-        let place = Place::line(&self.file, line_of(record));
+        let place = Place::line(&self.file, line);
         if record.len() != columns.count {
             let what = format!("{} cells below {} columns", record.len(), columns.count);
             let help = if separator == b',' && record.len() > columns.count {
@@ -198,7 +199,7 @@ impl CoefficientTable {
             lift: number(lift, COLUMNS[1])?,
             drag: number(drag, COLUMNS[2])?,
             moment: number(moment, COLUMNS[3])?,
-            line: line_of(record),
+            line,
         });
         for (slopes, (name, column)) in self.given_slopes.iter_mut().zip(&columns.slopes) {
             slopes.values.push(number(*column, name)?);
@@ -249,8 +250,8 @@ struct Columns {
 }
 
 impl Columns {
-    fn read(file: &str, heading: &StringRecord) -> Result<Self, InputError> {
-        let place = Place::line(file, line_of(heading));
+    fn read(file: &str, line: usize, heading: &StringRecord) -> Result<Self, InputError> {
+        let place = Place::line(file, line);
         let known: Vec<&str> = COLUMNS.into_iter().chain(SLOPES).collect();
         for (position, name) in heading.iter().enumerate() {
             if heading.iter().take(position).any(|before| before == name) {
@@ -265,6 +266,10 @@ impl Columns {
                     let help = "the angle is in degrees, in a column called alpha_deg";
                     (format!("there is no column `{name}`"), help.to_string())
                 } else {
+                    // Of equally near ones, that which is missing.
+                    let is_there = |known: &&str| heading.iter().any(|own| own == *known);
+                    let mut known = known.clone();
+                    known.sort_by_key(is_there);
                     (format!("there is no column `{name}`"), meant(name, &known))
                 };
                 return Err(InputError::new(place, what, help));
@@ -335,21 +340,25 @@ fn number(place: &Place, column: &str, cell: &str) -> Result<f64, InputError> {
 }
 
 /// The next record; what the reader refuses is an error with its line.
+/// The next record of a text, with its line: lines that are empty or begin with `#` stand before it.
 fn next(
     file: &str,
+    text: &str,
     records: &mut impl Iterator<Item = csv::Result<StringRecord>>,
-) -> Result<Option<StringRecord>, InputError> {
-    records.next().transpose().map_err(|error| {
+) -> Result<Option<(usize, StringRecord)>, InputError> {
+    let record = records.next().transpose().map_err(|error| {
         let place = match error.position() {
             Some(position) => Place::line(file, position.line() as usize),
             None => Place::file(file),
         };
         InputError::new(place, error.to_string(), "a table is CSV in UTF-8")
-    })
-}
-
-fn line_of(record: &StringRecord) -> usize {
-    record
-        .position()
-        .map_or(1, |position| position.line() as usize)
+    })?;
+    Ok(record.map(|record| {
+        let (line, byte) = record.position().map_or((1, 0), |position| {
+            (position.line() as usize, position.byte() as usize)
+        });
+        let is_skipped = |line: &&str| line.is_empty() || line.starts_with('#');
+        let rest = text.get(byte..).unwrap_or_default();
+        (line + rest.lines().take_while(is_skipped).count(), record)
+    }))
 }

@@ -39,6 +39,9 @@ pub struct Comparison {
     pub remarks: Vec<Remark>,
 }
 
+/// Why there is no S without wind.
+pub(super) const NO_WIND: &str = "there is no wind, and S is a damping over the wind speed";
+
 /// So many angles are answered at once: their matrices need little memory.
 const BLOCK: usize = 1024;
 
@@ -46,8 +49,8 @@ const BLOCK: usize = 1024;
 ///
 /// The curve of S is the damping coefficient −4 m max λ_R/(ρ D U), Eq. (13): the exact one by the state
 /// matrix, Eq. (16), with the structural damping as given; that of the companion matrix, Eq. (19); that of
-/// the closed forms (21)–(23) and of the uniform form, where they apply. Modes are numbered by their frequency at the first angle,
-/// the highest first, and followed by their shapes.
+/// the closed forms (21)–(23) and of the uniform form, where they apply. Modes are numbered by their frequency at the
+/// first angle, the highest first, and followed by their shapes; one that begins later takes the lowest free number.
 ///
 /// Linear in the number of angles: at each, two eigenvalue problems of at most 6×6 and two of 3×3, on all cores.
 ///
@@ -57,7 +60,7 @@ const BLOCK: usize = 1024;
 pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, InputError> {
     let file = Place::file(&case.file);
     if case.parameters.wind_speed == 0.0 {
-        let what = "U = 0: there is no wind, and S is a damping over the wind speed";
+        let what = format!("U = 0: {NO_WIND}");
         return Err(InputError::new(file, what, "give a wind speed above 0"));
     }
     let curves = CoefficientCurves::new(table, case.interpolation);

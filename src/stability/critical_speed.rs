@@ -15,7 +15,7 @@ use super::comparison::section_at;
 use super::exact_section::{ExactSection, InSpeed};
 use super::input::InputError;
 use super::interpolation::CoefficientCurves;
-use super::speed_search::{Found, Part, parts};
+use super::speed_search::{Found, LOWEST, Part, parts};
 
 /// What is certain of a section at all wind speeds of a range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,14 +54,11 @@ pub struct SpeedRange {
 }
 
 impl SpeedRange {
-    /// Whether it begins with the lowest speeds of any range.
+    /// Whether it begins with the lowest speeds of any range, `highest` being the highest speed of all.
     pub fn is_lowest(&self, highest: f64) -> bool {
-        self.from <= highest * LOWEST
+        self.from <= (highest * 0.5_f64.powi(LOWEST.into())).next_up()
     }
 }
-
-/// Ranges that begin below this share of the highest speed have nothing below them.
-const LOWEST: f64 = 1e-30;
 
 /// A wind speed at which stability changes: a simple root of Hurwitz' last determinant but one, or of the
 /// determinant of the stiffness.

@@ -19,9 +19,9 @@ struct Group {
 /// Bounds of the errors of approximate eigenvalues: there is a one-to-one assignment of the exact
 /// eigenvalues, none farther from its approximation than this.
 ///
-/// `taylor` gives the coefficients of the characteristic polynomial, which is real, about a point; it has
-/// as many roots as there are values, and its further coefficients are 0. Disjoint discs are sought: what is not known to be apart becomes one
-/// group. `None` if the coefficients are not finite.
+/// `taylor` gives the coefficients of the characteristic polynomial, which is real, about a point; it has as
+/// many roots as there are values, and its further coefficients are 0. Disjoint discs are sought: what is not
+/// known to be apart becomes one group. `None` if the coefficients are not finite.
 ///
 /// N values cost at most N² expansions, and N if they are well apart.
 pub(super) fn error_bounds(

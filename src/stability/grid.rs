@@ -5,7 +5,7 @@ use super::case::Case;
 use super::closed_form::{Estimate, closed_form};
 use super::coefficient_table::CoefficientTable;
 use super::companion;
-use super::comparison::{Value, modes_of};
+use super::comparison::{NO_WIND, Value, modes_of};
 use super::coordinate::Coordinate;
 use super::error::StabilityError;
 use super::input::{InputError, Place};
@@ -46,7 +46,7 @@ pub enum Rows {
 pub struct GridPoint {
     /// The values of the axes, in order; that of the angle, in degrees, last: NaN if none is the worst.
     pub values: Vec<f64>,
-    /// S by the state matrix; `None` without wind or if there is no bounded answer.
+    /// S by the state matrix; `None` if there is no bounded answer.
     pub exact: Option<Value>,
     /// S by the companion matrix.
     pub companion: Option<Value>,
@@ -77,8 +77,8 @@ impl<'a> Grid<'a> {
     /// # Errors
     ///
     /// If two axes set the same quantity or one sets nothing, if there are more than [`MOST_POINTS`]
-    /// points, if an angle is outside of the table, or if a section at a corner of the grid is not possible:
-    /// then none within is in doubt.
+    /// points, if an angle is outside of the table, or if a section at a corner of the grid is not possible
+    /// or has no wind: else none within is in doubt.
     pub fn new(
         case: &'a Case,
         table: &CoefficientTable,
@@ -149,14 +149,24 @@ impl<'a> Grid<'a> {
             corners = corners.iter().flat_map(with).collect();
         }
         for corner in corners {
-            self.section(&[corner.as_slice(), &angles[..1]].concat())
-                .map_err(|error| {
-                    let named = others.iter().zip(&corner);
-                    let named =
-                        named.map(|(axis, value)| format!("{} = {value}", axis.variable.name));
-                    let what = format!("with {}: {error}", named.collect::<Vec<_>>().join(", "));
-                    InputError::new(Place::file(&self.case.file), what, "correct --vary")
-                })?;
+            let refuse = |error: &str| {
+                let named = others.iter().zip(&corner);
+                let named = named.map(|(axis, value)| format!("{} = {value}", axis.variable.name));
+                let what = match named.collect::<Vec<_>>().join(", ") {
+                    none if none.is_empty() => format!("the case as it is: {error}"),
+                    named => format!("with {named}: {error}"),
+                };
+                InputError::new(
+                    Place::file(&self.case.file),
+                    what,
+                    "correct --vary or the case",
+                )
+            };
+            let section = self.section(&[corner.as_slice(), &angles[..1]].concat());
+            let section = section.map_err(|error| refuse(&error.to_string()))?;
+            if section.parameters().wind_speed == 0.0 {
+                return Err(refuse(NO_WIND));
+            }
         }
         Ok(())
     }

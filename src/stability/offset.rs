@@ -1,5 +1,7 @@
 //! A section with its mass centre moved away from the elastic centre.
 
+use rayon::prelude::*;
+
 use super::case::Case;
 use super::comparison::{Answers, FollowedMode, Following, Point};
 use super::error::StabilityError;
@@ -37,7 +39,9 @@ pub fn against_offset(
         };
         Ok((angle, Answers::new(&Section::new(parameters)?)?))
     };
-    let answered: Result<Vec<_>, StabilityError> = (0..=steps).map(answers).collect();
+    let answered: Vec<_> = (0..=steps).into_par_iter().map(answers).collect();
+    // The first error, not the one that was found first.
+    let answered: Result<Vec<_>, StabilityError> = answered.into_iter().collect();
     let points = Following::default().points(answered?);
     let offset = |(step, point): (usize, Point)| OffsetPoint {
         eccentricity: eccentricity(step),

@@ -62,9 +62,9 @@ pub fn needed(values: &BTreeMap<String, f64>, with_damping: bool) -> Vec<&'stati
     names().filter(is_needed).collect()
 }
 
-/// The parameters of a section with all coordinates free and without aerodynamic stiffness. What is not among the values is 0, or 1 where it
-/// may not be 0: it is for the caller to ask for what is [`needed`]. The numbers are
-/// doubles, or exact ones.
+/// The parameters of a section with all coordinates free and without aerodynamic stiffness. What is not among
+/// the values is 0, or 1 where it may not be 0: it is for the caller to ask for what is [`needed`]. The numbers
+/// are doubles, or exact ones.
 ///
 /// ```
 /// use std::collections::BTreeMap;

@@ -7,7 +7,8 @@ use super::model::Model;
 
 /// The free coordinates whose structural damping ratio ζ lowers S as it grows, for certain, with ∂S/∂ζ < 0.
 ///
-/// With |B(λ)| = 0, B(λ) = λ²M + λC + K, aerodynamic stiffness being a part of K, and the damping 2mω_iζ_i of coordinate i,
+/// With |B(λ)| = 0, B(λ) = λ²M + λC + K, aerodynamic stiffness being a part of K, and the damping 2mω_iζ_i of
+/// coordinate i,
 ///
 /// ```text
 /// ∂λ/∂ζ_i = −2 ω_i λ adj(B)_ii/(d|B|/dλ)      ∂S/∂ζ_i = −4m Re(∂λ/∂ζ_i)/(ρDU)

@@ -2,7 +2,6 @@
 
 use dashu_base::BitTest;
 
-use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::interval::{Interval, Intervals, KnownSign};
 use crate::algebra::number::{Integer, Rational};
 use crate::algebra::univariate::Univariate;
@@ -41,7 +40,7 @@ impl Part {
 
     /// Whether it is so near to 0 that what is not decided there is left out.
     pub fn is_lowest(&self) -> bool {
-        self.to <= share(Integer::ONE, LOWEST)
+        self.to <= share(Integer::ONE, LOWEST as usize)
     }
 }
 
@@ -51,7 +50,7 @@ fn share(place: Integer, depth: usize) -> Rational {
 }
 
 /// What is not decided below this power of 1/2 is left out, and a part next to 0 is halved somewhat more often.
-const LOWEST: usize = 100;
+pub(super) const LOWEST: u8 = 100;
 const DEEPEST: usize = 120;
 
 /// Any other one until it is less than this power of 1/2 of the speeds in it.
@@ -96,7 +95,10 @@ pub(super) fn parts(
         if part.found == Found::Certain(Stability::Undecided) {
             let speeds = intervals.rational(&part.from);
             let speeds = speeds.hull(&intervals.rational(&part.to));
-            let at = |powers: &Vec<Interval>| value(powers, &speeds, intervals);
+            let at = |powers: &Vec<Interval>| {
+                let Ok(value) = in_speed.value(powers, &speeds);
+                value
+            };
             if at(&stiffness).sign() == KnownSign::Positive {
                 let polynomial: Vec<Interval> = coefficients.iter().map(at).collect();
                 part.found = Found::Certain(beside_the_axis(&polynomial, intervals));
@@ -106,25 +108,14 @@ pub(super) fn parts(
     search.parts
 }
 
-/// A polynomial at a number, by Horner's rule.
-fn value(coefficients: &[Interval], at: &Interval, intervals: &Intervals) -> Interval {
-    coefficients
-        .iter()
-        .rev()
-        .fold(intervals.zero(), |sum, own| {
-            let Ok(product) = intervals.product(&sum, at);
-            let Ok(sum) = intervals.sum(&product, own);
-            sum
-        })
-}
-
 /// Lines beside the imaginary axis, these powers of 1/2 of the unit of frequency away.
 const LINES: [usize; 7] = [4, 8, 12, 16, 20, 24, 28];
 
 /// Whether a root lies to the right of a line to the right of the axis, or all to the left of one to the left.
 fn beside_the_axis(polynomial: &[Interval], intervals: &Intervals) -> Stability {
+    let in_lambda = Univariate(intervals);
     let signs = |line: &Rational| -> Vec<KnownSign> {
-        let shifted = shifted(polynomial, &intervals.rational(line), intervals);
+        let Ok(shifted) = in_lambda.shifted(polynomial, &intervals.rational(line));
         let Ok(determinants) = hurwitz_determinants(&shifted, intervals);
         determinants.iter().map(Interval::sign).collect()
     };
@@ -139,19 +130,6 @@ fn beside_the_axis(polynomial: &[Interval], intervals: &Intervals) -> Stability 
         }
     }
     Stability::Undecided
-}
-
-/// The coefficients of p(λ + line), that of 1 first, by repeated division.
-fn shifted(polynomial: &[Interval], line: &Interval, intervals: &Intervals) -> Vec<Interval> {
-    let mut shifted = polynomial.to_vec();
-    for lowest in 0..shifted.len() {
-        for power in (lowest..shifted.len() - 1).rev() {
-            let Ok(product) = intervals.product(&shifted[power + 1], line);
-            let Ok(sum) = intervals.sum(&shifted[power], &product);
-            shifted[power] = sum;
-        }
-    }
-    shifted
 }
 
 /// What decides stability, as polynomials on a range of speeds.

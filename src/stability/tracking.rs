@@ -73,18 +73,15 @@ fn product(model: &Model, one: &Mode, other: &Mode) -> Complex<f64> {
     rows.sum()
 }
 
-/// Which of the modes at the next point continues each of those before: `result[i]` is the place of
-/// the one that continues `before[i]`.
+/// Which of the modes at the next point continues each of those before: `result[i]` is the place of the one that
+/// continues `before[i]`, or beyond the last of them where that ends.
 ///
-/// Of all assignments it is that with the largest sum of overlaps; sums within 1e-6 of each other
-/// count as equal, and the smallest change of the eigenvalues decides. `None` if the numbers of modes
-/// differ or exceed 6, as at a point where a pair of eigenvalues becomes real.
+/// Of all assignments it is that with the largest sum of overlaps; sums within 1e-6 of each other count as equal, and
+/// the smallest change of the eigenvalues decides. What ends or begins, as where a pair of eigenvalues becomes real,
+/// adds to neither. `None` beyond 6 modes.
 ///
-/// All assignments of n ≤ 6 modes are tried: n!.
+/// All assignments of n ≤ 6 modes are tried, n being the larger number: n!.
 pub fn follow(model: &Model, before: &[&Mode], next: &[&Mode]) -> Option<&'static [usize]> {
-    if before.len() != next.len() {
-        return None;
-    }
     let energy = |mode: &&Mode| product(model, mode, mode).re;
     let energies: Vec<f64> = next.iter().map(energy).collect();
     let rates = |old: &&Mode| -> Vec<(f64, f64)> {
@@ -98,14 +95,14 @@ pub fn follow(model: &Model, before: &[&Mode], next: &[&Mode]) -> Option<&'stati
     let rates: Vec<_> = before.iter().map(rates).collect();
     let rate = |assignment: &[usize]| {
         let pairs = rates.iter().zip(assignment);
-        pairs.fold((0.0, 0.0), |(alike, change), (row, &new)| {
-            (alike + row[new].0, change + row[new].1)
-        })
+        let pairs = pairs.filter_map(|(row, &new)| row.get(new));
+        pairs.fold((0.0, 0.0), |sum, own| (sum.0 + own.0, sum.1 + own.1))
     };
+    let size = before.len().max(next.len());
     ORDERS
-        .get(before.len())?
+        .get(size)?
         .iter()
-        .map(|assignment| (rate(assignment), assignment.as_slice()))
+        .map(|assignment| (rate(assignment), &assignment[..before.len()]))
         .reduce(|best, other| {
             let ((best_alike, best_change), (alike, change)) = (best.0, other.0);
             let is_tie = (alike - best_alike).abs() <= 1e-6;

@@ -136,7 +136,8 @@ const LEAST: f64 = 1e-9;
 ///
 /// # Errors
 ///
-/// If there is no wind, a coordinate is held, there is aerodynamic stiffness, an angle is outside of the table, or a section has no answer.
+/// If there is no wind, a coordinate is held, there is aerodynamic stiffness, an angle is outside of the table,
+/// or a section has no answer.
 pub fn validity(case: &Case, table: &CoefficientTable) -> Result<Validity, InputError> {
     let wrong = |what: &str, help: &str| InputError::new(Place::file(&case.file), what, help);
     if case.parameters.wind_speed == 0.0 {

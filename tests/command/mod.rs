@@ -1,12 +1,20 @@
 //! The command as a user runs it: what it prints where, and its exit status.
 
+#[cfg(feature = "stability")]
+mod figures;
 mod generation;
 #[cfg(feature = "stability")]
+mod modes;
+#[cfg(feature = "stability")]
 mod report;
+#[cfg(feature = "stability")]
+mod speeds;
 #[cfg(feature = "stability")]
 mod stability;
 #[cfg(feature = "stability")]
 mod sweep;
+#[cfg(feature = "stability")]
+mod validity;
 
 use std::path::PathBuf;
 use std::process::{Command, Output};
@@ -19,6 +27,30 @@ fn sextic(arguments: &[&str]) -> Output {
         .env_remove("NO_COLOR")
         .output()
         .expect("the command runs")
+}
+
+/// A folder of this test's own with the cases that come with the project.
+#[cfg(feature = "stability")]
+fn folder(name: &str) -> PathBuf {
+    let from = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("derivations/cases");
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).expect("a folder");
+    for file in ["tuned.toml", "detuned.toml", "light.toml", "formulas.csv"] {
+        std::fs::copy(from.join(file), folder.join(file)).expect("a copy");
+    }
+    folder
+}
+
+#[cfg(feature = "stability")]
+fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
+    let output = sextic(arguments);
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
+    (
+        output.status.code(),
+        text(output.stdout),
+        text(output.stderr),
+    )
 }
 
 /// A document of a test's own, in a folder of its own.

@@ -176,7 +176,7 @@ fn the_report_is_whole_and_refers_to_nothing_outside_of_itself() {
 
 #[test]
 fn what_does_not_apply_to_a_case_is_said_in_its_report() {
-    let folder = super::stability::folder("held_report");
+    let folder = super::folder("held_report");
     let path = folder.join("tuned.toml");
     let case = std::fs::read_to_string(&path).expect("a case");
     let held = case

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use super::stability::{folder, run};
+use super::{folder, run};
 
 fn text(path: &Path) -> String {
     std::fs::read_to_string(path).expect("a file")
@@ -122,12 +122,6 @@ fn methods_that_do_not_apply_and_no_wind_leave_empty_cells() {
     ])
     .1;
     assert_eq!(worst, "U,alpha_deg,s3d_closed,closed_limits\n9,,,detuned\n");
-    let calm = of(&detuned, "U=0:1:2", "state");
-    let rows: Vec<&str> = calm.lines().collect();
-    assert!(
-        rows[1].starts_with("0,30,,,") && !rows[2].contains(",,"),
-        "{calm}"
-    );
 }
 
 /// As a user does it at a terminal, where that is possible.
@@ -251,6 +245,27 @@ fn what_is_wrong_is_said_before_anything_is_computed() {
         let (status, _, err) = run(&arguments);
         assert!(status == Some(2) && err.contains(message), "{err}");
     }
+    for axis in ["U=0:9:4", "U=0"] {
+        let arguments = ["sweep", path(&case), "--vary", "L_g=0.001", "--vary", axis];
+        let (status, out, err) = run(&arguments);
+        assert_eq!((status, out.as_str()), (Some(2), ""));
+        assert!(
+            err.contains("with L_g = 0.001, U = 0: there is no wind"),
+            "{err}"
+        );
+    }
+    let calm = text(&case).replace("U = 9 ", "U = 0 ");
+    std::fs::write(folder.join("calm.toml"), calm).expect("a case");
+    let (status, _, err) = run(&[
+        "sweep",
+        path(&folder.join("calm.toml")),
+        "--vary",
+        "alpha_deg=3",
+    ]);
+    assert!(
+        status == Some(2) && err.contains("calm.toml: the case as it is: there is no wind"),
+        "{err}"
+    );
     let held = text(&case).replace(
         "zeta_theta = 0\n",
         "zeta_theta = 0\nfree = [\"y\", \"theta\"]\n",
@@ -341,7 +356,7 @@ fn parquet_holds_the_rows_of_the_csv() {
             "sweep",
             path(&case),
             "--vary",
-            "U=0:9:4",
+            "U=1:9:4",
             "--out",
             path(file),
         ]);

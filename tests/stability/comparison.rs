@@ -5,7 +5,8 @@ use std::path::Path;
 
 use sextic::report::gallery;
 use sextic::report::{csv, stability_figure, text};
-use sextic::stability::comparison::{Comparison, Method, Reason, compare};
+use sextic::stability::closed_form::Limitation;
+use sextic::stability::comparison::{Comparison, Method, Point, Reason, compare};
 use sextic::stability::interpolation::CoefficientCurves;
 use sextic::stability::offset::against_offset;
 
@@ -146,7 +147,9 @@ fn methods_agree_within_their_errors_or_say_why_not() {
                 !own.reasons.is_empty(),
                 "{name}: {own:?}"
             );
-            let is_left_out = own.reasons.contains(&Reason::AerodynamicStiffness);
+            let is_left_out = own
+                .reasons
+                .contains(&Reason::Limitation(Limitation::AerodynamicStiffness));
             assert!(
                 own.method == Method::Closed || is_left_out || !is_wrong,
                 "{name}: {own:?}"
@@ -190,6 +193,32 @@ fn modes_are_followed_without_a_jump() {
             );
         }
     }
+}
+
+#[test]
+fn modes_keep_their_numbers_where_a_pair_becomes_real() {
+    let changed = [("from = 0", "from = 150"), ("step = 0.5", "step = 0.1")];
+    let (case, table) = shipped_case("stiff.toml", &changed);
+    let comparison = compare(&case, &table).expect("an answer");
+    let mut splits = 0;
+    for pair in comparison.points.windows(2) {
+        let labels = |point: &Point| {
+            point
+                .modes
+                .iter()
+                .map(|mode| mode.label)
+                .collect::<Vec<_>>()
+        };
+        let [before, after] = [&pair[0], &pair[1]].map(labels);
+        assert!(before == [1, 2, 3] || before == [1, 2, 3, 4], "{before:?}");
+        splits += usize::from(before.len() < after.len());
+        for label in [1, 2] {
+            let [one, next] = [&pair[0], &pair[1]].map(|point| point.mode(label).expect("a mode"));
+            let jump = (one.frequency - next.frequency).abs();
+            assert!(jump < 0.005, "mode {label} at {}: {jump}", pair[1].angle);
+        }
+    }
+    assert_eq!(splits, 1);
 }
 
 #[test]

@@ -94,6 +94,15 @@ fn critical_speeds_are_those_of_bisection() {
         }
         for own in critical {
             assert!(own.error < 1e-9, "{own:?}");
+            // It stands between two ranges, which differ.
+            let beside = found.ranges.windows(2).filter(|pair| {
+                pair[0].to <= own.speed + own.error
+                    && own.speed - own.error <= pair[1].from
+                    && pair[1].from - pair[0].to <= 2.0 * own.error * (1.0 + 1e-9)
+                    && pair[0].stability != pair[1].stability
+                    && pair[1].stability == own.becomes
+            });
+            assert_eq!(beside.count(), 1, "{own:?} {found:?}");
             roots += 1;
             returns += usize::from(own.becomes == Stability::Stable);
             divergent += usize::from(own.becomes == Stability::Divergent);

@@ -23,9 +23,13 @@ pub struct Patch {
 pub enum Fill {
     /// In grey.
     Shaded,
+    /// In a darker grey.
+    Dark,
     /// With strokes from corner to corner.
     Hatched,
 }
+
+const DARK: RGBColor = RGBColor(160, 160, 160);
 
 /// Pixels between the strokes of what is hatched.
 const DISTANCE: i32 = 8;
@@ -39,6 +43,7 @@ impl Fill {
     ) -> Result<(), Box<dyn Error>> {
         match self {
             Fill::Shaded => area.draw(&Polygon::new(corners, SHADE.filled()))?,
+            Fill::Dark => area.draw(&Polygon::new(corners, DARK.filled()))?,
             Fill::Hatched => {
                 for stroke in hatches(corners, px(DISTANCE)) {
                     area.draw(&PathElement::new(stroke, ink(BLACK, 1)))?;

@@ -19,8 +19,8 @@ const FORMULA_DIGITS: usize = 6;
 /// Decimals of amplitudes and phases.
 const SHAPE_DECIMALS: i32 = 4;
 
-/// A line a mode: λ, its error, and the frequency in Hz, with its shape below; then S_3D, the verdict and the
-/// warnings.
+/// A line a mode: λ, its error, and the frequency in Hz if it oscillates, with its shape below; then S_3D, the
+/// verdict and the warnings.
 pub fn modes(found: &ModesFound) -> String {
     let mut text = String::new();
     for (place, mode) in found.modes.iter().enumerate() {
@@ -32,10 +32,10 @@ pub fn modes(found: &ModesFound) -> String {
         let [(real, within), (imaginary, _)] =
             [value.re, value.im.abs()].map(|part| number(part, *error, found.is_formula));
         text += &format!(
-            "λ_{} = {real} {} {imaginary}i 1/s{within}; {:.6} Hz\n",
+            "λ_{} = {real} {} {imaginary}i 1/s{within}; {}\n",
             place + 1,
             if value.im < 0.0 { '-' } else { '+' },
-            value.im / TAU
+            frequency(mode, found.is_formula)
         );
         if let Some(shape) = shape {
             text += &format!("      {}\n", moves(shape));
@@ -62,6 +62,19 @@ pub fn modes(found: &ModesFound) -> String {
         text += &format!("Warning: {warning}\n");
     }
     text
+}
+
+/// `0.845210 Hz`, as far as it is certain; what does not oscillate has none.
+fn frequency(mode: &ModeFound, is_formula: bool) -> String {
+    match (mode.value.im == 0.0, mode.value.re > 0.0) {
+        (false, _) => {
+            let error = mode.error.map(|error| error / TAU);
+            let (number, _) = number(mode.value.im / TAU, error, is_formula);
+            format!("{number} Hz")
+        }
+        (true, true) => "no oscillation: it diverges".to_string(),
+        (true, false) => "no oscillation".to_string(),
+    }
 }
 
 /// A number and how exact it is: as far as it is certain, or all that a formula gives and how far it is off.

@@ -87,12 +87,17 @@ impl StructureTable {
                 let unknown = names.iter().find(|name| one(name).is_none());
                 let free: Vec<Coordinate> = names.iter().filter_map(one).collect();
                 match (unknown, FreeCoordinates::new(&free)) {
-                    (None, Ok(free)) => free,
                     (Some(name), _) => {
                         let what = format!("there is no coordinate `{name}`");
                         let help = "free holds some of \"x\", \"y\", \"theta\"";
                         return Err(InputError::new(place, what, help));
                     }
+                    (None, Ok(own)) if own.as_slice().len() < free.len() => {
+                        let what = "free names a coordinate twice";
+                        let help = "free holds each of \"x\", \"y\", \"theta\" once at most";
+                        return Err(InputError::new(place, what, help));
+                    }
+                    (None, Ok(free)) => free,
                     (None, Err(_)) => {
                         let help = "free holds at least one of \"x\", \"y\", \"theta\"";
                         return Err(InputError::new(place, "no coordinate is free", help));

@@ -1,6 +1,8 @@
 //! How far another method agrees with the state matrix, and why it does not.
 
+use std::cmp::Ordering;
 use std::fmt;
+use std::mem::discriminant;
 
 use super::point::{Point, Value};
 use super::range::{AngleRange, ranges};
@@ -31,32 +33,14 @@ impl Method {
 /// Why a method differs from the state matrix, or has no answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reason {
-    /// A coordinate is held.
-    NotAllFree,
-    /// The natural frequencies differ.
-    NotTuned,
-    /// Structural damping is left out.
-    StructuralDamping,
-    /// Aerodynamic stiffness is left out.
-    AerodynamicStiffness,
-    /// e ≤ δ|S_a|.
-    Eccentricity {
-        /// e = L_g/r.
-        eccentricity: f64,
-        /// The largest δ|S_a| of the sweep.
-        damping: f64,
-    },
-    /// None of these: what is of second order in the damping is left out.
+    /// What speaks against a form, where it does so most.
+    Limitation(Limitation),
+    /// Nothing else: the closed forms leave out what is of second order in the damping.
     FirstOrder {
         /// The largest (δ|S_a|/e)² where they differ.
         second_order: f64,
     },
-    /// The damping is not small beside the frequencies.
-    StrongDamping {
-        /// The largest share of a frequency where they differ.
-        damping: f64,
-    },
-    /// None of these: what is of third order in the damping is left out.
+    /// Nothing else: the uniform form leaves out what is of third order in the damping.
     ThirdOrder,
     /// The rounding of the coefficients moves the roots.
     IllConditioned {
@@ -70,35 +54,22 @@ pub enum Reason {
 impl fmt::Display for Reason {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Reason::NotAllFree => write!(formatter, "not x, y and theta are all free"),
-            Reason::NotTuned => write!(
-                formatter,
-                "not perfectly tuned: f_x, f_y and f_theta differ"
-            ),
-            Reason::StructuralDamping => write!(
-                formatter,
-                "there is structural damping, which the closed form leaves out"
-            ),
-            Reason::AerodynamicStiffness => {
-                write!(formatter, "this form leaves aerodynamic stiffness out")
+            Reason::Limitation(own) => {
+                let is_of_an_angle = matches!(
+                    own,
+                    Limitation::Eccentricity { .. } | Limitation::StrongDamping { .. }
+                );
+                let place = if is_of_an_angle {
+                    " (at the worst angle)"
+                } else {
+                    ""
+                };
+                write!(formatter, "{own}{place}")
             }
-            Reason::Eccentricity {
-                eccentricity,
-                damping,
-            } => write!(
-                formatter,
-                "the eccentricity L_g/r = {eccentricity:.3} is not above the aerodynamic damping δ|S_a|, up to \
-                 {damping:.3}: the closed form is out of its domain"
-            ),
             Reason::FirstOrder { second_order } => write!(
                 formatter,
                 "the closed form is of first order: what it leaves out is of the order of \
                  (δ|S_a| r/L_g)², up to {second_order:.2}"
-            ),
-            Reason::StrongDamping { damping } => write!(
-                formatter,
-                "the damping is not small: it is up to {damping:.2} of a frequency, and the form leaves out higher \
-                 orders of it"
             ),
             Reason::ThirdOrder => write!(
                 formatter,
@@ -191,8 +162,12 @@ fn agreement(
         .collect();
     let largest_error = largest(&errors).map(|(error, _)| error);
     let reasons = match method {
-        Method::Closed => closed_reasons(&wrong),
-        Method::Uniform => uniform_reasons(&wrong),
+        Method::Closed => form_reasons(
+            &wrong,
+            |point| &point.closed,
+            |second_order| Reason::FirstOrder { second_order },
+        ),
+        Method::Uniform => form_reasons(&wrong, |point| &point.uniform, |_| Reason::ThirdOrder),
         Method::Companion => {
             let ill = largest_error.filter(|error| *error > ILL_CONDITIONED * size);
             let none = (answers < points.len()).then_some(Reason::NoAnswer);
@@ -211,78 +186,27 @@ fn agreement(
     }
 }
 
-/// Why the uniform form is wrong at these points.
-fn uniform_reasons(wrong: &[&Point]) -> Vec<Reason> {
-    let all = || wrong.iter().flat_map(|point| &point.uniform.limitations);
-    let held = all()
-        .any(|own| *own == Limitation::NotAllFree)
-        .then_some(Reason::NotAllFree);
-    let none = all()
-        .any(|own| *own == Limitation::NoRoots)
-        .then_some(Reason::NoAnswer);
-    let stiffness = all()
-        .any(|own| *own == Limitation::AerodynamicStiffness)
-        .then_some(Reason::AerodynamicStiffness);
-    let strong = all().filter_map(|own| match own {
-        Limitation::StrongDamping { damping } => Some(*damping),
-        _ => None,
-    });
-    let strong = strong
-        .reduce(f64::max)
-        .map(|damping| Reason::StrongDamping { damping });
-    let is_unexplained = |point: &&&Point| point.uniform.limitations.is_empty();
-    let third = wrong
-        .iter()
-        .find(is_unexplained)
-        .map(|_| Reason::ThirdOrder);
-    held.into_iter()
-        .chain(none)
-        .chain(stiffness)
-        .chain(strong)
-        .chain(third)
-        .collect()
-}
-
-/// Why the closed form is wrong at these points.
-fn closed_reasons(wrong: &[&Point]) -> Vec<Reason> {
-    let all = || wrong.iter().flat_map(|point| &point.closed.limitations);
-    let mut reasons = Vec::new();
-    if all().any(|own| *own == Limitation::NotAllFree) {
-        reasons.push(Reason::NotAllFree);
-    }
-    if all().any(|own| *own == Limitation::NotTuned) {
-        reasons.push(Reason::NotTuned);
-    }
-    if all().any(|own| *own == Limitation::StructuralDamping) {
-        reasons.push(Reason::StructuralDamping);
-    }
-    if all().any(|own| *own == Limitation::AerodynamicStiffness) {
-        reasons.push(Reason::AerodynamicStiffness);
-    }
-    let eccentric = all().filter_map(|own| match own {
-        Limitation::Eccentricity {
-            eccentricity,
-            damping,
-        } => Some((*eccentricity, *damping)),
-        _ => None,
-    });
-    let worst = eccentric.reduce(|one, other| if other.1 > one.1 { other } else { one });
-    reasons.extend(worst.map(|(eccentricity, damping)| Reason::Eccentricity {
-        eccentricity,
-        damping,
-    }));
-    let strong = all().filter_map(|own| match own {
-        Limitation::StrongDamping { damping } => Some(*damping),
-        _ => None,
-    });
-    let strong = strong.reduce(f64::max);
-    reasons.extend(strong.map(|damping| Reason::StrongDamping { damping }));
-    let is_of_second_order = |own: &Limitation| matches!(own, Limitation::Sign { .. });
-    let unexplained = wrong
-        .iter()
-        .filter(|point| point.closed.limitations.iter().all(is_of_second_order));
-    let orders = unexplained.map(|point| point.second_order);
-    let second_order = orders.reduce(f64::max);
-    reasons.extend(second_order.map(|second_order| Reason::FirstOrder { second_order }));
-    reasons
+/// Why a form is wrong at these points: each kind of limitation at its worst, and the order of the form where none
+/// explains it.
+fn form_reasons(
+    wrong: &[&Point],
+    estimate: fn(&Point) -> &Estimate,
+    order: impl Fn(f64) -> Reason,
+) -> Vec<Reason> {
+    // That the sign may be wrong is told by the order of what is left out.
+    let explains = |own: &&Limitation| !matches!(own, Limitation::Sign { .. });
+    let limitations = |point: &&Point| {
+        let own = estimate(point).limitations.iter();
+        own.copied()
+            .filter(|own| explains(&own))
+            .collect::<Vec<_>>()
+    };
+    let mut worst: Vec<Limitation> = wrong.iter().flat_map(limitations).collect();
+    // No number is NaN: each was compared before.
+    worst.sort_by(|one, other| other.partial_cmp(one).unwrap_or(Ordering::Equal));
+    worst.dedup_by_key(|own| discriminant(own));
+    let unexplained = wrong.iter().filter(|point| limitations(point).is_empty());
+    let second_order = unexplained.map(|point| point.second_order).reduce(f64::max);
+    let reasons = worst.into_iter().rev().map(Reason::Limitation);
+    reasons.chain(second_order.map(order)).collect()
 }

@@ -154,8 +154,8 @@ pub(in crate::stability) struct Following {
 }
 
 impl Following {
-    /// The points at the next angles. A mode that continues one keeps its number; where a pair becomes real, or
-    /// real ones a pair, all are numbered anew, by their order.
+    /// The points at the next angles. A mode that continues one keeps its number; one that begins, as where a pair of
+    /// eigenvalues becomes real, takes the lowest that is free.
     pub fn points(&mut self, answered: Vec<(f64, Answers)>) -> Vec<Point> {
         let modes = |place: usize| answered.get(place).map(|(_, own)| own.modes.as_slice());
         let continued = |place: usize| {
@@ -171,11 +171,17 @@ impl Following {
             self.modes.clone_from(&last.modes);
         }
         let numbered = |((angle, own), continued): ((f64, Answers), Option<&[usize]>)| {
-            let mut numbers: Vec<usize> = (1..=own.modes.len()).collect();
+            let mut numbers = vec![None; own.modes.len()];
             for (&number, &place) in self.numbers.iter().zip(continued.unwrap_or_default()) {
-                numbers[place] = number;
+                if let Some(own) = numbers.get_mut(place) {
+                    *own = Some(number);
+                }
             }
-            self.numbers = numbers;
+            let is_free = |number: &usize| !numbers.contains(&Some(*number));
+            let free: Vec<usize> = (1..=numbers.len()).filter(is_free).collect();
+            let mut free = free.into_iter();
+            let number = |own: &Option<usize>| own.or_else(|| free.next());
+            self.numbers = numbers.iter().filter_map(number).collect();
             own.point(angle, &self.numbers)
         };
         answered.into_iter().zip(continued).map(numbered).collect()
