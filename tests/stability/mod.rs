@@ -12,6 +12,7 @@ mod interpolation;
 mod oracle;
 mod sections;
 mod sensitivity;
+mod square_section;
 mod tracking;
 mod uniform_form;
 mod validity;
