@@ -63,16 +63,16 @@ impl<A: Arithmetic> Univariate<'_, A> {
         a.iter().rev().try_fold(self.0.zero(), step)
     }
 
-    /// The coefficients of a(x + by), by repeated division.
+    /// The coefficients of a(x + h), by repeated division.
     ///
     /// # Errors
     ///
     /// Those of the coefficients.
-    pub fn shifted(&self, a: &[A::Element], by: &A::Element) -> Result<Coefficients<A>, A::Error> {
+    pub fn shifted(&self, a: &[A::Element], h: &A::Element) -> Result<Coefficients<A>, A::Error> {
         let mut shifted = a.to_vec();
         for lowest in 0..shifted.len() {
             for power in (lowest + 1..shifted.len()).rev() {
-                let product = self.0.product(&shifted[power], by)?;
+                let product = self.0.product(&shifted[power], h)?;
                 shifted[power - 1] = self.0.sum(&shifted[power - 1], &product)?;
             }
         }

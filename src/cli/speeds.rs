@@ -12,7 +12,7 @@ use super::Outcome;
 use super::case::{case_and_table, refuse};
 use super::view::View;
 
-/// Finds the critical wind speeds of a case, all of them
+/// Finds the critical wind speeds of a case
 ///
 /// At each angle of the case: from which wind speed on the section gallops, and at which it is stable again.
 /// The speeds are the roots of a Hurwitz determinant as a polynomial in U, isolated in exact arithmetic, so

@@ -71,9 +71,9 @@ it, each rho D U^2 C/2; the moment is about O in the sense of theta, rho D^2 U^2
 
 Modes are numbered by their frequency at the first angle, the highest first, and followed by their
 shapes. Where strong damping or stiffness splits a pair of eigenvalues into two real ones, one of
-them goes on, and the other takes the next free number.
+them goes on, and the other takes the lowest free number.
 
-Columns of --format csv, a row an angle (an empty cell is a method that does not apply):
+Columns of --format csv, a row an angle (an empty cell: a method that does not apply, no such mode):
   alpha_deg
   s3d_exact (state matrix), s3d_companion, s3d_closed, s3d_uniform: S_3D, or S of fewer freedoms
   error_exact, error_companion: what is exact is no farther from the number that is printed

@@ -32,7 +32,7 @@ enum Form {
     Text,
     /// A table, whose columns are named below
     Csv,
-    /// For programs, with bounds of errors
+    /// For programs
     Json,
 }
 

@@ -10,8 +10,9 @@ use crate::stability::validity::{Form, Validity};
 use super::speeds::{SpeedsFound, ends};
 use super::stability::{bound, certain, decimal};
 
-/// A row an angle: S by every method, bounds of the errors, the verdict, the mode with the least damping, and S and the
-/// frequency in Hz of every mode. An empty cell is a method that does not apply.
+/// A row an angle: S by every method, bounds of the errors, the verdict, the mode with the least damping, and S
+/// and the frequency in Hz of every mode. An empty cell is a method that does not apply, or a mode that is not
+/// there.
 ///
 /// Numbers have the decimals that are certain, nine at most.
 pub fn comparison(comparison: &Comparison) -> String {

@@ -43,7 +43,9 @@ pub struct Figure {
     pub y_label: String,
     /// What is shaded below y = 0, as the legend calls it; `None` if nothing is.
     pub shaded: Option<String>,
-    /// What is filled, below the curves; the axes end where it does.
+    /// Two opposite corners; `None` for axes that hold all that is drawn, with a margin.
+    pub corners: Option<[(f64, f64); 2]>,
+    /// What is filled, below the curves.
     pub patches: Vec<Patch>,
     /// Whether both axes have one scale.
     pub is_to_scale: bool,
@@ -82,16 +84,15 @@ impl Figure {
         self.draw_head(&head)?;
         let points = || {
             let curves = self.curves.iter().flat_map(|curve| &curve.pieces);
-            let patches = self.patches.iter().flat_map(|patch| &patch.pieces);
-            curves.chain(patches).flatten()
+            curves.flatten().chain(self.corners.iter().flatten())
         };
         let x = extent(points().map(|point| point.0));
         // What is shaded ends at 0.
         let zero = self.shaded.iter().map(|_| 0.0);
         let y = extent(points().map(|point| point.1).chain(zero));
-        let y = match self.patches.is_empty() {
-            true => with_margin(y),
-            false => y,
+        let y = match self.corners {
+            None => with_margin(y),
+            Some(_) => y,
         };
         let (x, y) = if self.is_to_scale {
             let room = [WIDTH - LEFT - RIGHT, HEIGHT - HEAD - BOTTOM];
@@ -222,6 +223,7 @@ mod tests {
                 is_angle: true,
                 y_label: "y".into(),
                 shaded: Some("s".into()),
+                corners: None,
                 patches: Vec::new(),
                 is_to_scale: true,
                 curves: vec![Curve {

@@ -13,8 +13,15 @@ use super::{stability_figure, trajectory};
 /// A figure and the name of its file, without an extension.
 pub type Named = (String, Figure);
 
-/// Styles for three modes, told apart without colour.
-const MODES: [Stroke; 3] = [Stroke::Solid, Stroke::Dashed, Stroke::Dotted];
+/// Styles for as many modes as there can be, told apart without colour: more than three where they do not oscillate.
+const MODES: [Stroke; 6] = [
+    Stroke::Solid,
+    Stroke::Dashed,
+    Stroke::Dotted,
+    Stroke::Crosses,
+    Stroke::Circles,
+    Stroke::Thin,
+];
 
 const DAMPING: &str = "S of each mode = −4m Re λ / (ρDU), dimensionless";
 const FREQUENCY: &str = "frequency (Hz)";

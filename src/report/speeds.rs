@@ -42,14 +42,14 @@ pub fn ends(own: &SpeedRange, speeds: &Speeds, most: i32) -> [String; 2] {
 }
 
 /// Whether anything is of this stability, at any angle.
-pub fn is_any(found: &SpeedsFound, stability: Stability) -> bool {
+pub fn has(found: &SpeedsFound, stability: Stability) -> bool {
     let mut ranges = found.angles.iter().flat_map(|(_, speeds)| &speeds.ranges);
     ranges.any(|own| own.stability == stability)
 }
 
 /// What the section does where it is not stable.
 pub fn what_it_does(found: &SpeedsFound) -> &'static str {
-    match [Stability::Unstable, Stability::Divergent].map(|own| is_any(found, own)) {
+    match [Stability::Unstable, Stability::Divergent].map(|own| has(found, own)) {
         [true, true] => "gallops or diverges",
         [false, true] => "diverges",
         _ => "gallops",

@@ -4,7 +4,7 @@ use crate::stability::comparison::angle;
 use crate::stability::critical_speed::{SpeedRange, Speeds, Stability};
 
 use super::figure::{Curve, Figure, Fill, Patch, Stroke};
-use super::speeds::{SpeedsFound, alike, is_any, what_it_does};
+use super::speeds::{SpeedsFound, alike, has, what_it_does};
 use super::stability::{given, with_stiffness};
 use super::stability_figure::name;
 
@@ -28,25 +28,16 @@ pub fn figure(found: &SpeedsFound) -> Figure {
         pieces: critical.map(|own| own.above.clone()).collect(),
     }];
     let wind_speed = found.case.parameters.wind_speed;
-    let ends = [found.angles.first(), found.angles.last()];
-    if let [Some((first, _)), Some((last, _))] = ends
-        && (0.0..=found.highest).contains(&wind_speed)
-        && wind_speed > 0.0
-    {
+    let [from, to] = ends(found);
+    if 0.0 < wind_speed && wind_speed <= found.highest {
         curves.push(Curve {
             label: format!("U = {} m/s of the case", given(wind_speed)),
             stroke: Stroke::Dashed,
-            pieces: vec![vec![(*first, wind_speed), (*last, wind_speed)]],
+            pieces: vec![vec![(from, wind_speed), (to, wind_speed)]],
         });
     }
-    // What is stable is white, and belongs to the figure all the same.
     let mut patches: Vec<Patch> = PATCHES.map(patch).into();
-    patches.retain(|own| own.fill == Fill::Shaded || !own.pieces.is_empty());
-    let corner = |own: &(f64, Speeds)| vec![(own.0, 0.0), (own.0, found.highest)];
-    if let Some(shaded) = patches.first_mut() {
-        shaded.pieces.extend(found.angles.first().map(corner));
-        shaded.pieces.extend(found.angles.last().map(corner));
-    }
+    patches.retain(|own| !own.pieces.is_empty());
     Figure {
         title: format!(
             "{}: wind speeds up to {} m/s{}",
@@ -57,6 +48,7 @@ pub fn figure(found: &SpeedsFound) -> Figure {
         x_label: "angle of attack α (degrees)".into(),
         is_angle: true,
         y_label: "wind speed U (m/s)".into(),
+        corners: Some([(from, 0.0), (to, found.highest)]),
         patches,
         curves: curves
             .into_iter()
@@ -64,6 +56,14 @@ pub fn figure(found: &SpeedsFound) -> Figure {
             .collect(),
         ..Figure::default()
     }
+}
+
+/// The angles at the ends of the axis: one angle alone is as wide as a degree on both sides.
+fn ends(found: &SpeedsFound) -> [f64; 2] {
+    let ends = [found.angles.first(), found.angles.last()];
+    let [from, to] = ends.map(|end| end.map_or(0.0, |(angle, _)| *angle));
+    let margin = if from == to { 1.0 } else { 0.0 };
+    [from - margin, to + margin]
 }
 
 /// How what is not stable is drawn.
@@ -96,18 +96,17 @@ fn regions(found: &SpeedsFound) -> Vec<Region> {
     let mut regions = Vec::new();
     let mut before: Option<f64> = None;
     let mut rest = found.angles.as_slice();
-    // One angle alone is shown as wide as its axis.
-    let margin = if rest.len() == 1 { 1.0 } else { 0.0 };
+    let [leftmost, rightmost] = ends(found);
     for run in alike(&found.angles) {
         rest = &rest[run.len()..];
         let (Some((first, speeds)), Some((last, _))) = (run.first(), run.last()) else {
             continue;
         };
         let middle = |one: f64, other: f64| (one + other) / 2.0;
-        let from = before.map_or(*first - margin, |before| middle(before, *first));
+        let from = before.map_or(leftmost, |before| middle(before, *first));
         let to = rest
             .first()
-            .map_or(*last + margin, |(next, _)| middle(*last, *next));
+            .map_or(rightmost, |(next, _)| middle(*last, *next));
         before = Some(*last);
         for (place, own) in speeds.ranges.iter().enumerate() {
             let next = speeds.ranges.get(place + 1);
@@ -144,7 +143,7 @@ pub fn caption(found: &SpeedsFound) -> String {
         (Some((only, _)), _) => format!("at {}°", angle(*only)),
         _ => String::new(),
     };
-    let but = match is_any(found, Stability::Undecided) {
+    let but = match has(found, Stability::Undecided) {
         true => " but for what is hatched",
         false => "",
     };

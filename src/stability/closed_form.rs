@@ -25,7 +25,8 @@ pub enum Limitation {
     StructuralDamping,
     /// There is aerodynamic stiffness, which the form leaves out.
     AerodynamicStiffness,
-    /// e ≤ δ|S|: the modes are separated by less than they are damped, and even the sign may be wrong.
+    /// e ≤ δ|S|: the modes are separated by less than they are damped, and even the sign may be wrong. The damping
+    /// stands first, since what is damped more is worse.
     Eccentricity {
         /// δ|S| with δ = ρ D U/(2 m ω_n) and the Frobenius norm of S_a, Eq. (18).
         damping: f64,
@@ -112,7 +113,7 @@ impl fmt::Display for Limitation {
     }
 }
 
-/// Some three digits of a number that is not negative.
+/// A number that is not negative, with three decimals or a power of ten.
 fn short(number: f64) -> String {
     match number {
         0.0 => "0".to_string(),

@@ -4,7 +4,7 @@ pub mod remarks;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
-use super::input::{InputError, Place, meant};
+use super::input::{InputError, Place, meant_among};
 
 /// A row of a table: C_D, C_L and C_M at an angle of attack in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,7 +67,7 @@ impl CoefficientTable {
     ///
     /// The first row names the columns `alpha_deg`, `CL`, `CD` and `CM`, in any order. They are
     /// separated by commas, semicolons or tabs; a number may have a decimal comma unless commas separate.
-    /// A byte-order mark and Windows line ends are read over, and so are lines that begin with `#`.
+    /// A byte-order mark and Windows line ends are read over, and so are empty rows and lines that begin with `#`.
     ///
     /// Linear in the length of the text.
     ///
@@ -77,9 +77,8 @@ impl CoefficientTable {
     /// and angles that do not increase or go over more than 360°, with the line.
     pub fn read(file: &str, text: &str) -> Result<Self, InputError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let heading = text
-            .lines()
-            .find(|line| !line.trim().is_empty() && !line.starts_with('#'));
+        let mut lines = text.lines().map(str::trim);
+        let heading = lines.find(|line| !line.is_empty() && !line.starts_with('#'));
         let separator = match heading {
             Some(heading) if heading.contains(';') => b';',
             Some(heading) if heading.contains('\t') => b'\t',
@@ -108,10 +107,7 @@ impl CoefficientTable {
             given_slopes: columns.given_slopes(),
         };
         while let Some((line, record)) = next(file, text, &mut records)? {
-            // A row of empty cells is how a spreadsheet ends.
-            if record.iter().any(|cell| !cell.is_empty()) {
-                table.add(&columns, line, &record, separator)?;
-            }
+            table.add(&columns, line, &record, separator)?;
         }
         table.check()?;
         Ok(table)
@@ -266,11 +262,10 @@ impl Columns {
                     let help = "the angle is in degrees, in a column called alpha_deg";
                     (format!("there is no column `{name}`"), help.to_string())
                 } else {
-                    // Of equally near ones, that which is missing.
                     let is_there = |known: &&str| heading.iter().any(|own| own == *known);
-                    let mut known = known.clone();
-                    known.sort_by_key(is_there);
-                    (format!("there is no column `{name}`"), meant(name, &known))
+                    let absent = known.iter().copied().filter(|own| !is_there(own));
+                    let help = meant_among(&absent.collect::<Vec<_>>(), name, &known);
+                    (format!("there is no column `{name}`"), help)
                 };
                 return Err(InputError::new(place, what, help));
             }
@@ -339,14 +334,16 @@ fn number(place: &Place, column: &str, cell: &str) -> Result<f64, InputError> {
     }
 }
 
-/// The next record; what the reader refuses is an error with its line.
-/// The next record of a text, with its line: lines that are empty or begin with `#` stand before it.
+/// The next record that says something, with its line; what the reader refuses is an error with its line.
+///
+/// The reader's position is where it stood before the empty lines and comments that it passes over.
 fn next(
     file: &str,
     text: &str,
     records: &mut impl Iterator<Item = csv::Result<StringRecord>>,
 ) -> Result<Option<(usize, StringRecord)>, InputError> {
-    let record = records.next().transpose().map_err(|error| {
+    let record = records.find(|record| !record.as_ref().is_ok_and(is_silent));
+    let record = record.transpose().map_err(|error| {
         let place = match error.position() {
             Some(position) => Place::line(file, position.line() as usize),
             None => Place::file(file),
@@ -357,8 +354,14 @@ fn next(
         let (line, byte) = record.position().map_or((1, 0), |position| {
             (position.line() as usize, position.byte() as usize)
         });
-        let is_skipped = |line: &&str| line.is_empty() || line.starts_with('#');
+        let is_passed_over = |line: &&str| line.is_empty() || line.starts_with('#');
         let rest = text.get(byte..).unwrap_or_default();
-        (line + rest.lines().take_while(is_skipped).count(), record)
+        let passed = rest.lines().take_while(is_passed_over).count();
+        (line + passed, record)
     }))
+}
+
+/// A row of empty cells, which is how a spreadsheet ends, or a comment behind blanks.
+fn is_silent(record: &StringRecord) -> bool {
+    record.iter().all(str::is_empty) || record.get(0).is_some_and(|cell| cell.starts_with('#'))
 }

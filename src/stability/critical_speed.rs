@@ -56,7 +56,7 @@ pub struct SpeedRange {
 impl SpeedRange {
     /// Whether it begins with the lowest speeds of any range, `highest` being the highest speed of all.
     pub fn is_lowest(&self, highest: f64) -> bool {
-        self.from <= (highest * 0.5_f64.powi(LOWEST.into())).next_up()
+        self.from <= (highest * 0.5_f64.powi(i32::from(LOWEST))).next_up()
     }
 }
 
@@ -120,7 +120,8 @@ impl Speeds {
                     Stability::Undecided
                 }
             };
-            if stability == Stability::Undecided && own.is_lowest() {
+            if stability == Stability::Undecided && own.is_negligible() {
+                is_continued = false;
                 continue;
             }
             let to = match own.to == Rational::ONE {

@@ -46,7 +46,7 @@ pub enum Rows {
 pub struct GridPoint {
     /// The values of the axes, in order; that of the angle, in degrees, last: NaN if none is the worst.
     pub values: Vec<f64>,
-    /// S by the state matrix; `None` if there is no bounded answer.
+    /// S by the state matrix; `None` if it is not asked, or has no bounded answer.
     pub exact: Option<Value>,
     /// S by the companion matrix.
     pub companion: Option<Value>,
@@ -152,9 +152,9 @@ impl<'a> Grid<'a> {
             let refuse = |error: &str| {
                 let named = others.iter().zip(&corner);
                 let named = named.map(|(axis, value)| format!("{} = {value}", axis.variable.name));
-                let what = match named.collect::<Vec<_>>().join(", ") {
-                    none if none.is_empty() => format!("the case as it is: {error}"),
-                    named => format!("with {named}: {error}"),
+                let what = match others.is_empty() {
+                    true => format!("the case as it is: {error}"),
+                    false => format!("with {}: {error}", named.collect::<Vec<_>>().join(", ")),
                 };
                 InputError::new(
                     Place::file(&self.case.file),

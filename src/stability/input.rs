@@ -85,9 +85,14 @@ impl fmt::Display for Remark {
 
 /// `a`, `b` or `c`, and which of them a misspelt name may mean.
 pub(super) fn meant(name: &str, known: &[&str]) -> String {
+    meant_among(known, name, known)
+}
+
+/// As [`meant`], but only some of them may be meant.
+pub(super) fn meant_among(some: &[&str], name: &str, known: &[&str]) -> String {
     let distance =
         |own: &&&str| strsim::damerau_levenshtein(&own.to_lowercase(), &name.to_lowercase());
-    let nearest = known.iter().min_by_key(distance);
+    let nearest = some.iter().min_by_key(distance);
     let list = known.join(", ");
     match nearest.filter(|own| distance(own) <= 1 + own.chars().count() / 3) {
         Some(nearest) => format!("did you mean {nearest}? Known are {list}"),

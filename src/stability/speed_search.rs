@@ -39,8 +39,8 @@ impl Part {
     }
 
     /// Whether it is so near to 0 that what is not decided there is left out.
-    pub fn is_lowest(&self) -> bool {
-        self.to <= share(Integer::ONE, LOWEST as usize)
+    pub fn is_negligible(&self) -> bool {
+        self.to <= share(Integer::ONE, LOWEST.into())
     }
 }
 
@@ -218,7 +218,7 @@ impl Search {
         let [from, to] = [place.clone(), place + Integer::ONE].map(|own| share(own, depth));
         match self.parts.last_mut() {
             // What may be left out stays by itself.
-            Some(last) if last.found == found && !last.is_lowest() => last.to = to,
+            Some(last) if last.found == found && !last.is_negligible() => last.to = to,
             _ => self.parts.push(Part { from, to, found }),
         }
     }

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use super::case::Case;
 use super::closed_form::{ClosedForm, Limitation, closed_form};
 use super::coefficient_table::CoefficientTable;
+use super::comparison::NO_WIND;
 use super::eigenvalue::Spectrum;
 use super::error::StabilityError;
 use super::exact_modes;
@@ -141,10 +142,8 @@ const LEAST: f64 = 1e-9;
 pub fn validity(case: &Case, table: &CoefficientTable) -> Result<Validity, InputError> {
     let wrong = |what: &str, help: &str| InputError::new(Place::file(&case.file), what, help);
     if case.parameters.wind_speed == 0.0 {
-        return Err(wrong(
-            "U = 0: there is no wind",
-            "give a wind speed above 0",
-        ));
+        let what = format!("U = 0: {NO_WIND}");
+        return Err(wrong(&what, "give a wind speed above 0"));
     }
     if !case.parameters.free.are_all() {
         let help = "leave `free` out of the case";

@@ -1,17 +1,6 @@
 //! `sextic figures` as a user runs it.
 
-use super::{folder, run};
-
-/// What a figure says; it is well formed and has more than axes.
-pub fn texts(path: &str) -> Vec<String> {
-    let svg = std::fs::read_to_string(path).expect("a figure");
-    let drawing = roxmltree::Document::parse(&svg).expect("well-formed SVG");
-    let elements = || drawing.descendants().filter(|node| node.is_element());
-    let lines = elements().filter(|node| node.has_tag_name("polyline"));
-    assert!(lines.count() > 20, "{path}");
-    let own = elements().filter_map(|node| node.text());
-    own.map(|text| text.trim().to_owned()).collect()
-}
+use super::{folder, run, texts};
 
 #[test]
 fn all_figures_of_a_case_are_drawn() {

@@ -53,6 +53,18 @@ fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
     )
 }
 
+/// What a figure says; it is well formed and has more than axes.
+#[cfg(feature = "stability")]
+fn texts(path: &str) -> Vec<String> {
+    let svg = std::fs::read_to_string(path).expect("a figure");
+    let drawing = roxmltree::Document::parse(&svg).expect("well-formed SVG");
+    let elements = || drawing.descendants().filter(|node| node.is_element());
+    let lines = elements().filter(|node| node.has_tag_name("polyline"));
+    assert!(lines.count() > 20, "{path}");
+    let own = elements().filter_map(|node| node.text());
+    own.map(|text| text.trim().to_owned()).collect()
+}
+
 /// A document of a test's own, in a folder of its own.
 fn document(name: &str, text: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("documents");

@@ -274,6 +274,16 @@ fn aerodynamic_stiffness_is_an_option() {
     let lines = |what: &str| out.lines().filter(|line| line.contains(what)).count();
     let counts = ["1/s, within", " Hz", "no oscillation", "it diverges"].map(lines);
     assert_eq!(counts, [5, 1, 4, 1], "{out}");
+    // Exactly where it begins to diverge: that it does is not certain, and not said.
+    let neutral = "m=1 r=1 L_g=0 alpha_g=0 theta_0=0 omega_x=1 omega_y=0.75 omega_theta=0.35 zeta_x=0 zeta_y=0.1 \
+                   zeta_theta=0.1 U=1 rho=1 D=1 alpha_0=0 L_a=0 gamma_r=0 C_D=1 C_L=0 C_M=0 dC_D=0 dC_L=0 dC_M=0.245";
+    let neutral: Vec<&str> = neutral.split_whitespace().collect();
+    let (_, out, _) = modes(&neutral, &[on]);
+    assert!(
+        out.contains("no oscillation") && !out.contains("diverges"),
+        "{out}"
+    );
+    assert!(out.contains("undecided"), "{out}");
     let exact = ["--method", "exact", "--format", "json"];
     let (_, out, _) = modes(&section, &[&diverging[..], &exact].concat());
     let json: Value = serde_json::from_str(&out).expect("JSON");

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::{folder, run};
+use super::{folder, run, texts};
 
 #[test]
 fn critical_speeds_are_written_in_every_form() {
@@ -60,7 +60,7 @@ fn divergence_is_told_from_galloping() {
     let (status, out, err) = run(&["speeds", case, "--plot", plot]);
     assert_eq!((status, err.as_str()), (Some(0), ""));
     assert!(out.contains("gallops or diverges at "), "{out}");
-    let labels = super::figures::texts(plot);
+    let labels = texts(plot);
     for label in ["gallops", "diverges"] {
         assert!(labels.iter().any(|own| own == label), "{labels:?}");
     }

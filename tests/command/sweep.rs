@@ -82,7 +82,7 @@ fn rows_are_those_of_stability_in_a_fixed_order() {
 }
 
 #[test]
-fn methods_that_do_not_apply_and_no_wind_leave_empty_cells() {
+fn methods_that_do_not_apply_leave_empty_cells() {
     let folder = folder("sweep_empty");
     let detuned = folder.join("detuned.toml");
     let of = |case: &Path, vary: &str, method: &str| {

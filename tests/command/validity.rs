@@ -1,7 +1,6 @@
 //! `sextic validity` as a user runs it.
 
-use super::figures::texts;
-use super::{folder, run};
+use super::{folder, run, texts};
 
 #[test]
 fn the_validity_of_a_case_is_shown_in_every_format() {

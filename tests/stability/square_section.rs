@@ -14,14 +14,21 @@ fn square() -> (Case, CoefficientTable) {
     shipped_case("square.toml", &[])
 }
 
-/// S_1D without structural damping, as the force across the section has it: with t = tan α and the force
-/// ρDU² cos²α f(t)/2, f = 2.69 t − 168 t³ + 6270 t⁵ − 59900 t⁷ (Parkinson & Smith 1964), it is −f′(t) cos α.
+/// The force across the section is ρDU² cos²α f(t)/2 with t = tan α and f = Σ a_k tᵏ (Parkinson & Smith 1964).
+const FORCE: [(i32, f64); 4] = [(1, 2.69), (3, -168.0), (5, 6270.0), (7, -59900.0)];
+
+/// f(t)
+fn force(t: f64) -> f64 {
+    FORCE.iter().map(|(k, a)| a * t.powi(*k)).sum()
+}
+
+/// S_1D without structural damping: −f′(t) cos α.
 fn aerodynamic(angle: f64) -> f64 {
-    let (sine, cosine) = angle.to_radians().sin_cos();
-    let t = sine / cosine;
-    let slope =
-        2.69 - 3.0 * 168.0 * t.powi(2) + 5.0 * 6270.0 * t.powi(4) - 7.0 * 59900.0 * t.powi(6);
-    -slope * cosine
+    let alpha = angle.to_radians();
+    let slopes = FORCE
+        .iter()
+        .map(|(k, a)| f64::from(*k) * a * alpha.tan().powi(k - 1));
+    -slopes.sum::<f64>() * alpha.cos()
 }
 
 /// 4mω_yζ_y/(ρD), in m/s: what structural damping adds to S_1D at 1 m/s.
@@ -38,13 +45,12 @@ fn its_table_is_that_of_its_formula() {
     assert!(remarks(&table).is_empty());
     assert_eq!(table.rows().len(), 65);
     for row in table.rows() {
-        let (sine, cosine) = row.angle.to_radians().sin_cos();
-        let t = sine / cosine;
-        let force = 2.69 * t - 168.0 * t.powi(3) + 6270.0 * t.powi(5) - 59900.0 * t.powi(7);
-        let own = -(row.lift + row.drag * t) / cosine;
+        let alpha = row.angle.to_radians();
+        let own = -(row.lift + row.drag * alpha.tan()) / alpha.cos();
+        let expected = force(alpha.tan());
         assert!(
-            (own - force).abs() < 6e-7,
-            "{own} {force} at {}°",
+            (own - expected).abs() < 6e-7,
+            "{own} {expected} at {}°",
             row.angle
         );
         assert_eq!((row.drag, row.moment), (2.05, 0.0));
@@ -85,7 +91,7 @@ fn its_critical_speed_is_that_of_den_hartog() {
         panic!("{speeds:?}")
     };
     assert_eq!(critical.becomes, Stability::Unstable);
-    let expected = structural(&case) / 2.69;
+    let expected = structural(&case) / FORCE[0].1;
     assert!(
         (critical.speed / expected - 1.0).abs() < 1e-4,
         "{critical:?} {expected}"

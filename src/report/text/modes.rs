@@ -66,7 +66,8 @@ pub fn modes(found: &ModesFound) -> String {
 
 /// `0.845210 Hz`, as far as it is certain; what does not oscillate has none.
 fn frequency(mode: &ModeFound, is_formula: bool) -> String {
-    match (mode.value.im == 0.0, mode.value.re > 0.0) {
+    let grows = mode.value.re > mode.error.unwrap_or(0.0);
+    match (mode.value.im == 0.0, grows) {
         (false, _) => {
             let error = mode.error.map(|error| error / TAU);
             let (number, _) = number(mode.value.im / TAU, error, is_formula);

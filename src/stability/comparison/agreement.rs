@@ -197,9 +197,7 @@ fn form_reasons(
     let explains = |own: &&Limitation| !matches!(own, Limitation::Sign { .. });
     let limitations = |point: &&Point| {
         let own = estimate(point).limitations.iter();
-        own.copied()
-            .filter(|own| explains(&own))
-            .collect::<Vec<_>>()
+        own.filter(explains).copied().collect::<Vec<_>>()
     };
     let mut worst: Vec<Limitation> = wrong.iter().flat_map(limitations).collect();
     // No number is NaN: each was compared before.

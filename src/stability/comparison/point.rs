@@ -177,9 +177,7 @@ impl Following {
                     *own = Some(number);
                 }
             }
-            let is_free = |number: &usize| !numbers.contains(&Some(*number));
-            let free: Vec<usize> = (1..=numbers.len()).filter(is_free).collect();
-            let mut free = free.into_iter();
+            let mut free = (1..).filter(|number| !numbers.contains(&Some(*number)));
             let number = |own: &Option<usize>| own.or_else(|| free.next());
             self.numbers = numbers.iter().filter_map(number).collect();
             own.point(angle, &self.numbers)
