@@ -17,7 +17,8 @@ use super::output::{finish, reason, wrong};
 /// without wind. The others are drawn for the case: its stability by every method; with and without
 /// inertial coupling (as Figs. 3 to 6 and 9); modes against the offset of the mass centre, at the worst
 /// angle (as Fig. 7); and the closed form against the state matrix, for the section perfectly tuned and
-/// without structural damping (as Figs. 13 and 14).
+/// without structural damping (as Figs. 13 and 14). What the case has nothing to show for is left out:
+/// eccentricity where only one coordinate is free or the turn is held, closed forms where not all are free.
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// A case file: `sextic stability --help` shows one

@@ -20,7 +20,7 @@ use crate::stability::quantities::{names, needed, parameters};
 use crate::stability::section::{Parameters, Section};
 use crate::stability::tracking::{Mode, places};
 use crate::stability::uniform_form::uniform_form;
-use crate::stability::verdict::{Verdict, exact_verdict};
+use crate::stability::verdict::{Doubt, Verdict, exact_verdict};
 use crate::stability::{companion, exact_modes, state_matrix};
 
 use super::Outcome;
@@ -241,7 +241,8 @@ fn by_spectrum(
     let section = model.section();
     let damping = spectrum.damping_coefficient(section);
     let mut warnings = Vec::new();
-    if damping.is_some_and(|(damping, error)| damping.abs() <= error) {
+    let is_open = matches!(verdict, Verdict::Undecided(doubt) if doubt != Doubt::Neutral);
+    if is_open && damping.is_some_and(|(damping, error)| damping.abs() <= error) {
         warnings.push("S_3D is smaller than its error: its sign is not certain".to_string());
     }
     let places = places(spectrum);

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use clap::builder::{PathBufValueParser, TypedValueParser};
 
 use crate::report::gallery::of_case;
 use crate::report::html::{self, CaseFiles, Request};
@@ -18,14 +19,15 @@ use super::file::write_made;
 use super::output::{complain, finish};
 use super::source::audit_all;
 use super::speeds::USUAL_HIGHEST;
+use super::view::promising;
 
 /// Writes a derivation, its verdicts and a case as one HTML file
 ///
 /// The page has the prose of the document, its equations typeset, every assertion with its verdict,
 /// conditions, neglected terms or counterexample, the matching, and with `--case` the curves of a section,
 /// where it gallops, how the methods agree, its critical wind speeds, and where the closed forms may be
-/// trusted. It names the commands and the SHA-256 of the files that
-/// give each number again. It needs no network and no script.
+/// trusted. It names the commands and the SHA-256 of the files that give each number again. It needs no
+/// network and no script.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
@@ -38,8 +40,12 @@ pub struct Arguments {
     case: Option<PathBuf>,
 
     /// The file to write
-    #[arg(long, value_name = "FILE.html")]
+    #[arg(long, value_name = "FILE.html", value_parser = PathBufValueParser::new().try_map(html))]
     out: PathBuf,
+}
+
+fn html(path: PathBuf) -> Result<PathBuf, String> {
+    promising("html", path)
 }
 
 const EXAMPLES: &str = "\

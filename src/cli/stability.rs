@@ -44,7 +44,7 @@ A case file:
   L_a = 0.03                      # to the aerodynamic centre in m
   gamma_r_deg = 0                 # and its angle in degrees
   coefficients = \"table.csv\"      # with the columns alpha_deg, CL, CD, CM
-  interpolation = \"cubic\"         # or \"linear\"
+  interpolation = \"cubic\"         # or \"linear\": a slope for each cell, at a row that above it
   [structure]
   f_x = 0.96                      # frequencies in Hz
   f_y = 0.845

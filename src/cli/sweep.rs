@@ -83,6 +83,9 @@ Columns, after the quantities and the angle, as far as their methods are asked:
   (damping, above a tenth: for the closed form of a mode over its frequency, for the uniform form
   the norm of all damping over twice the lowest frequency), no-roots (none found in doubles)
 
+Without --worst there is a row for every combination at every angle of the case: that of the first
+example at 361 angles has 14,440,000 of them, and takes minutes.
+
 An interrupted sweep says so, and leaves its rows in a file whose name ends in .part, beside
 the other one.
 

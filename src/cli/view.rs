@@ -59,11 +59,19 @@ impl View {
     }
 }
 
-/// A path that does not promise another kind of picture.
 fn svg(path: PathBuf) -> Result<PathBuf, String> {
+    promising("svg", path)
+}
+
+/// A path that does not promise another kind of file.
+pub fn promising(kind: &str, path: PathBuf) -> Result<PathBuf, String> {
     match path.extension() {
-        Some(other) if !other.eq_ignore_ascii_case("svg") => {
-            Err("figures are SVG: give it a name that ends in .svg".to_string())
+        Some(other) if !other.eq_ignore_ascii_case(kind) => {
+            let message = format!(
+                "it is {}: give it a name that ends in .{kind}",
+                kind.to_uppercase()
+            );
+            Err(message)
         }
         _ => Ok(path),
     }

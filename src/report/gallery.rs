@@ -3,6 +3,7 @@
 use crate::stability::case::Case;
 use crate::stability::coefficient_table::CoefficientTable;
 use crate::stability::comparison::{Comparison, FollowedMode, angle, compare};
+use crate::stability::coordinate::Coordinate;
 use crate::stability::input::{InputError, Place};
 use crate::stability::interpolation::CoefficientCurves;
 use crate::stability::offset::{OffsetPoint, against_offset};
@@ -56,7 +57,8 @@ pub fn figures(case: &Case, table: &CoefficientTable) -> Result<Vec<Named>, Inpu
 }
 
 /// The figures of a case beside that of its stability by all methods: S and frequency of every mode against
-/// the angle; with and without inertial coupling; the modes against the offset of the mass centre.
+/// the angle; and where the mass centre matters, with and without inertial coupling, and the modes against the
+/// offset of the mass centre.
 ///
 /// # Errors
 ///
@@ -66,11 +68,15 @@ pub fn of_case(
     table: &CoefficientTable,
 ) -> Result<Vec<Named>, InputError> {
     let mut figures = modes(comparison);
-    figures.push((
-        "inertial_coupling".into(),
-        inertial_coupling(comparison, table)?,
-    ));
-    figures.extend(offset(comparison, table)?);
+    // The mass centre couples the turn with sway and heave, and nothing else.
+    let free = comparison.free();
+    if free.len() > 1 && free.contains(&Coordinate::Theta) {
+        if comparison.case.parameters.mass_centre_distance > 0.0 {
+            let figure = inertial_coupling(comparison, table)?;
+            figures.push(("inertial_coupling".into(), figure));
+        }
+        figures.extend(offset(comparison, table)?);
+    }
     Ok(figures)
 }
 
@@ -239,18 +245,16 @@ fn by_mode(points: impl Fn(usize) -> Vec<Option<(f64, f64)>>) -> Vec<Curve> {
     curves.filter(|curve| !curve.pieces.is_empty()).collect()
 }
 
-/// As Figs. 13 and 14: all frequencies those of heave, no structural damping.
+/// As Figs. 13 and 14: all frequencies those of heave, no structural damping and no aerodynamic stiffness.
 fn closed_form(case: &Case, table: &CoefficientTable) -> Result<Figure, InputError> {
     let mut tuned = case.clone();
     tuned.parameters.natural_frequencies = [case.parameters.natural_frequencies[1]; 3];
     tuned.parameters.damping_ratios = [0.0; 3];
+    tuned.parameters.aerodynamic_stiffness = false;
     let is_changed = tuned != *case;
     let figure = stability_figure::figure(&compare(&tuned, table)?);
     let title = match is_changed {
-        true => format!(
-            "{}; tuned to f_{{y}}, without structural damping",
-            figure.title
-        ),
+        true => format!("{}; tuned to f_{{y}}, undamped without wind", figure.title),
         false => figure.title,
     };
     Ok(Figure { title, ..figure })

@@ -21,11 +21,17 @@ pub struct Mode {
 }
 
 impl Mode {
-    /// The mode of an eigenvalue that stands alone, or is the `place`-th of those that coincide, from 0.
-    /// `None` if the decomposition behind it does not converge.
-    pub fn new(model: &Model, value: Complex<f64>, place: Option<usize>) -> Option<Self> {
-        let shape = mode_shape(model, value, place)?;
-        Some(Mode { value, shape })
+    /// The mode of an eigenvalue that stands alone, or has a place among those that coincide. `None` if the
+    /// decomposition behind it does not converge.
+    pub fn new(model: &Model, value: Complex<f64>, place: Option<Place>) -> Option<Self> {
+        let shape = match place {
+            None => mode_shape(model, value, None),
+            Some(Place { first, number }) => mode_shape(model, first, Some(number)),
+        };
+        Some(Mode {
+            value,
+            shape: shape?,
+        })
     }
 
     /// Its frequency in Hz; 0 for a motion that does not oscillate.
@@ -41,16 +47,31 @@ impl Mode {
     }
 }
 
+/// The place of an eigenvalue among those that coincide with it.
+///
+/// The shapes of all are sought at one of them, so that they are different ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// The first of them.
+    pub first: Complex<f64>,
+    /// How many of them stand before it.
+    pub number: usize,
+}
+
 /// One eigenvalue of each pair of conjugates, with its place among those that coincide with it within their
-/// errors, from 0; `None` for one that stands alone.
-pub fn places(spectrum: &Spectrum) -> Vec<(Eigenvalue, Option<usize>)> {
+/// errors; `None` for one that stands alone.
+pub fn places(spectrum: &Spectrum) -> Vec<(Eigenvalue, Option<Place>)> {
     let pairs: Vec<Eigenvalue> = spectrum.one_of_each_pair().copied().collect();
     let place = |(index, own): (usize, &Eigenvalue)| {
         let coincide =
             |other: &&Eigenvalue| (other.value - own.value).norm() <= other.error + own.error;
         let is_alone = pairs.iter().filter(coincide).count() == 1;
-        let place = (!is_alone).then(|| pairs[..index].iter().filter(coincide).count());
-        (*own, place)
+        let before = || pairs[..index].iter().filter(coincide);
+        let place = || Place {
+            first: before().next().unwrap_or(own).value,
+            number: before().count(),
+        };
+        (*own, (!is_alone).then(place))
     };
     pairs.iter().enumerate().map(place).collect()
 }

@@ -44,3 +44,23 @@ fn all_figures_of_a_case_are_drawn() {
     assert_eq!(status, Some(2));
     assert!(err.contains("there is no such file"), "{err}");
 }
+
+#[test]
+fn what_a_case_has_nothing_to_show_for_is_left_out() {
+    let out = folder("few_figures").join("drawn");
+    let out = out.to_str().expect("a path");
+    let arguments = ["figures", "derivations/cases/square.toml", "--out", out];
+    let (status, list, err) = run(&arguments);
+    assert_eq!((status, err.as_str()), (Some(0), ""));
+    assert_eq!(list.lines().count(), 7, "{list}");
+    for name in ["inertial", "offset", "closed"] {
+        assert!(!list.contains(name), "{list}");
+    }
+    let (status, _, err) = run(&[
+        "figures",
+        "derivations/cases/square.toml",
+        "--out",
+        "Cargo.toml",
+    ]);
+    assert!(status == Some(2) && err.contains("it is a file"), "{err}");
+}

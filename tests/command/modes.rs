@@ -118,6 +118,28 @@ fn modes_show_how_they_move_where_that_is_asked_for() {
     assert!(out.contains("modes coincide"), "{out}");
 }
 
+/// S_xx = S_yy couples nothing: sway and heave have one eigenvalue and two shapes; the turn is neutral.
+#[test]
+fn modes_that_coincide_have_shapes_of_their_own() {
+    let calm = SECTION.map(|own| match own {
+        "L_g=0.004" => "L_g=0",
+        "U=0" => "U=9",
+        other => other,
+    });
+    let wind = "rho=1.25 D=0.05 S_xx=2 S_xy=0 S_yx=0 S_yy=2 S_tx=0 S_ty=0 S_xt=0 S_yt=0 S_tt=0";
+    let section = [&calm[..], &wind.split_whitespace().collect::<Vec<_>>()].concat();
+    let (status, out, _) = modes(&section, &["--shapes"]);
+    assert_eq!(status, Some(0));
+    for shape in ["x 1, y 0, rθ 0", "x 0, y 1, rθ 0", "x 0, y 0, rθ 1"] {
+        assert_eq!(out.matches(shape).count(), 1, "{out}");
+    }
+    // It is exactly 0, and no doubt is left.
+    assert!(
+        out.contains("exactly 0") && !out.contains("not certain"),
+        "{out}"
+    );
+}
+
 #[test]
 fn what_a_formula_gives_is_shown_however_far_it_is_off() {
     let section = SECTION.map(|own| {

@@ -156,7 +156,7 @@ fn the_report_is_whole_and_refers_to_nothing_outside_of_itself() {
     let said = words(root);
     for expected in [
         "The coefficients, power by power",
-        "Where the section gallops",
+        "Where the section is unstable",
         "21° to 180°",
         "1, mostly theta",
         "by more than its error",

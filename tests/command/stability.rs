@@ -86,16 +86,20 @@ fn wrong_cases_end_with_status_2_and_leave_no_file() {
 }
 
 #[test]
-fn a_plot_in_another_format_is_refused() {
+fn a_name_of_another_format_is_refused() {
     let folder = folder("other_plot");
     let (case, plot) = (folder.join("tuned.toml"), folder.join("plot.PNG"));
     for command in ["stability", "speeds", "validity"] {
         let paths = [&case, &plot].map(|path| path.to_str().expect("a path"));
         let (status, out, err) = run(&[command, paths[0], "--plot", paths[1]]);
         assert_eq!((status, out.as_str()), (Some(2), ""));
-        assert!(err.contains("a name that ends in .svg"), "{err}");
+        assert!(err.contains("ends in .svg"), "{err}");
     }
     assert!(!plot.exists());
+    let page = folder.join("page.pdf");
+    let paths = [&case, &page].map(|path| path.to_str().expect("a path"));
+    let (status, _, err) = run(&["report", "--case", paths[0], "--out", paths[1]]);
+    assert!(status == Some(2) && err.contains("ends in .html"), "{err}");
 }
 
 #[test]

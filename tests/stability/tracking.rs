@@ -4,7 +4,7 @@ use sextic::stability::coordinate::{Coordinate, FreeCoordinates};
 use sextic::stability::model::Model;
 use sextic::stability::section::{Parameters, Section};
 use sextic::stability::state_matrix;
-use sextic::stability::tracking::{Mode, follow, overlap};
+use sextic::stability::tracking::{Mode, Place, follow, overlap};
 
 use super::sections::{Numbers, section};
 
@@ -117,7 +117,11 @@ fn a_shape_is_the_same_by_the_adjugate_and_by_singular_values() {
             .one_of_each_pair()
         {
             let mode = |place| Mode::new(&model, own.value, place).expect("a shape");
-            let alike = overlap(&model, &mode(None), &mode(Some(0)));
+            let place = Place {
+                first: own.value,
+                number: 0,
+            };
+            let alike = overlap(&model, &mode(None), &mode(Some(place)));
             assert!((alike - 1.0).abs() < 1e-9, "{alike} at {}", own.value);
         }
     }

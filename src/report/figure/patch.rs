@@ -42,8 +42,8 @@ impl Fill {
         corners: &[(i32, i32)],
     ) -> Result<(), Box<dyn Error>> {
         match self {
-            Fill::Shaded => area.draw(&Polygon::new(corners, SHADE.filled()))?,
-            Fill::Dark => area.draw(&Polygon::new(corners, DARK.filled()))?,
+            Fill::Shaded => shade(area, corners, SHADE)?,
+            Fill::Dark => shade(area, corners, DARK)?,
             Fill::Hatched => {
                 for stroke in hatches(corners, px(DISTANCE)) {
                     area.draw(&PathElement::new(stroke, ink(BLACK, 1)))?;
@@ -52,6 +52,14 @@ impl Fill {
         }
         Ok(())
     }
+}
+
+/// Filled, and drawn around: no seam is seen between neighbours.
+fn shade(area: &Area<'_>, corners: &[(i32, i32)], grey: RGBColor) -> Result<(), Box<dyn Error>> {
+    area.draw(&Polygon::new(corners, grey.filled()))?;
+    let around: Vec<_> = corners.iter().chain(corners.first()).copied().collect();
+    area.draw(&PathElement::new(around, ink(grey, 1)))?;
+    Ok(())
 }
 
 /// The parts of the lines x + y = k·distance that lie within a polygon.

@@ -203,8 +203,9 @@ fn form_reasons(
     // No number is NaN: each was compared before.
     worst.sort_by(|one, other| other.partial_cmp(one).unwrap_or(Ordering::Equal));
     worst.dedup_by_key(|own| discriminant(own));
-    let unexplained = wrong.iter().filter(|point| limitations(point).is_empty());
-    let second_order = unexplained.map(|point| point.second_order).reduce(f64::max);
+    let is_unexplained = wrong.iter().any(|point| limitations(point).is_empty());
+    let second_order = wrong.iter().map(|point| point.second_order);
+    let order = is_unexplained.then(|| order(second_order.fold(0.0, f64::max)));
     let reasons = worst.into_iter().rev().map(Reason::Limitation);
-    reasons.chain(second_order.map(order)).collect()
+    reasons.chain(order).collect()
 }

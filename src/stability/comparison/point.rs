@@ -11,7 +11,7 @@ use crate::stability::model::Model;
 use crate::stability::section::Section;
 use crate::stability::sensitivity::weakened_by;
 use crate::stability::state_matrix;
-use crate::stability::tracking::{Mode, follow, places};
+use crate::stability::tracking::{Mode, Place, follow, places};
 use crate::stability::uniform_form::uniform_form;
 use crate::stability::verdict::{Verdict, verdict};
 
@@ -189,7 +189,7 @@ impl Following {
 /// The modes of a spectrum, each with S.
 pub(in crate::stability) fn modes_of(model: &Model, spectrum: &Spectrum) -> Vec<(Mode, Value)> {
     let section = model.section();
-    let mode = |(own, place): (Eigenvalue, Option<usize>)| {
+    let mode = |(own, place): (Eigenvalue, Option<Place>)| {
         let damping = Value {
             value: section.damping_coefficient(own.value.re)?,
             error: section.damping_coefficient(own.error)?.abs(),
