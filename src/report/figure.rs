@@ -154,8 +154,8 @@ impl Figure {
         let text = |text: &str, place, pixels| {
             head.draw(&Text::new(text.to_string(), place, (FONT, px(pixels))))
         };
-        // Half as wide as high, letter by letter, if the fonts of the viewer are narrow.
-        let room = (WIDTH - LEFT - RIGHT) * 2 / subscript::length(&self.title).max(1) as i32;
+        // Four ninths as wide as high, letter by letter.
+        let room = (WIDTH - LEFT - RIGHT) * 9 / 4 / subscript::length(&self.title).max(1) as i32;
         text(&self.title, (px(LEFT), px(12)), room.min(19))?;
         let (mut left, middle, length) = (px(LEFT), px(52), px(36));
         let label = |left: &mut i32, label: &str| {
