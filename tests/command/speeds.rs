@@ -1,5 +1,7 @@
 //! `sextic speeds` as a user runs it.
 
+use std::collections::BTreeSet;
+
 use serde_json::Value;
 
 use super::{folder, run, texts};
@@ -61,6 +63,13 @@ fn divergence_is_told_from_galloping() {
     assert_eq!((status, err.as_str()), (Some(0), ""));
     assert!(out.contains("gallops or diverges at "), "{out}");
     let labels = texts(plot);
+    let svg = std::fs::read_to_string(plot).expect("a figure");
+    let drawing = roxmltree::Document::parse(&svg).expect("well-formed SVG");
+    let shaded = drawing
+        .descendants()
+        .filter(|own| own.has_tag_name("polygon"));
+    let greys: BTreeSet<&str> = shaded.filter_map(|own| own.attribute("fill")).collect();
+    assert_eq!(greys.len(), 2, "{greys:?}");
     for label in ["gallops", "diverges"] {
         assert!(labels.iter().any(|own| own == label), "{labels:?}");
     }

@@ -118,3 +118,35 @@ fn moves(shape: &Shape) -> String {
     };
     entries.iter().map(entry).collect::<Vec<_>>().join(", ")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stability::verdict::{Proof, Verdict};
+
+    #[test]
+    fn a_frequency_has_the_digits_of_its_own_error() {
+        let mode = |re, im| ModeFound {
+            value: Complex::new(re, im),
+            error: Some(0.03),
+            shape: None,
+        };
+        let page = modes(&ModesFound {
+            method: "state",
+            is_formula: false,
+            modes: vec![mode(-1.0, TAU / 3.0), mode(0.02, 0.0), mode(0.04, 0.0)],
+            damping_coefficient: None,
+            verdict: Verdict::Stable(Proof::Errors),
+            warnings: Vec::new(),
+        });
+        let ends: Vec<&str> = page
+            .lines()
+            .filter_map(|line| line.split("; ").nth(1))
+            .collect();
+        // 0.03 1/s are 0.005 Hz.
+        assert_eq!(
+            ends,
+            ["0.33 Hz", "no oscillation", "no oscillation: it diverges"]
+        );
+    }
+}
