@@ -3,9 +3,10 @@
 use std::f64::consts::TAU;
 
 use sextic::stability::coordinate::FreeCoordinates;
+use sextic::stability::exact_modes::inputs;
 use sextic::stability::forces::Forces;
 use sextic::stability::section::{Coefficients, Parameters, Section};
-use sextic_evaluators::scaled_entries::{ScaledEntriesInputs, ScaledEntriesSlices};
+use sextic_evaluators::scaled_entries::ScaledEntriesSlices;
 
 /// SplitMix64.
 struct Random(u64);
@@ -126,38 +127,4 @@ macro_rules! quantities {
 quantities! {
     m r L_g cos_alpha_g_plus_theta_0 sin_alpha_g_plus_theta_0 omega_x omega_y omega_theta
     zeta_x zeta_y zeta_theta rho D U S_xx S_xy S_yx S_yy S_xt S_yt S_tx S_ty S_tt
-}
-
-/// What the evaluators take.
-#[allow(non_snake_case)]
-pub fn inputs(section: &Section) -> ScaledEntriesInputs<f64> {
-    let p = section.parameters();
-    let [[S_xx, S_xy, S_xt], [S_yx, S_yy, S_yt], [S_tx, S_ty, S_tt]] = section.scaled_damping();
-    let [omega_x, omega_y, omega_theta] = p.natural_frequencies;
-    let [zeta_x, zeta_y, zeta_theta] = p.damping_ratios;
-    ScaledEntriesInputs {
-        m: p.mass,
-        r: p.radius_of_gyration,
-        L_g: p.mass_centre_distance,
-        cos_alpha_g_plus_theta_0: p.mass_centre_angle.cos(),
-        sin_alpha_g_plus_theta_0: p.mass_centre_angle.sin(),
-        omega_x,
-        omega_y,
-        omega_theta,
-        zeta_x,
-        zeta_y,
-        zeta_theta,
-        rho: p.air_density,
-        D: p.reference_dimension,
-        U: p.wind_speed,
-        S_xx,
-        S_xy,
-        S_yx,
-        S_yy,
-        S_xt,
-        S_yt,
-        S_tx,
-        S_ty,
-        S_tt,
-    }
 }

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::{self, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::Outcome;
 use super::folder::stage;
@@ -58,4 +58,18 @@ pub fn write_made(path: &Path, made: Result<String, String>) -> Result<(), Outco
             "name a file in a folder that is there and that you may write to",
         )
     })
+}
+
+/// A path that does not promise another kind of file.
+pub fn promising(kind: &str, path: PathBuf) -> Result<PathBuf, String> {
+    match path.extension() {
+        Some(other) if !other.eq_ignore_ascii_case(kind) => {
+            let message = format!(
+                "it is {}: give it a name that ends in .{kind}",
+                kind.to_uppercase()
+            );
+            Err(message)
+        }
+        _ => Ok(path),
+    }
 }

@@ -114,7 +114,8 @@ pub fn reason(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "there is no such file or folder".to_owned(),
         io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
-        io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => "it is a file".to_owned(),
+        io::ErrorKind::AlreadyExists => "it is a file".to_owned(),
+        io::ErrorKind::NotADirectory => "a part of the path is a file".to_owned(),
         io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
         _ => error.to_string(),
     }

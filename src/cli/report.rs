@@ -15,11 +15,10 @@ use crate::stability::validity::validity;
 
 use super::Outcome;
 use super::case::{case_and_files, refuse};
-use super::file::write_made;
+use super::file::{promising, write_made};
 use super::output::{complain, finish};
 use super::source::audit_all;
 use super::speeds::USUAL_HIGHEST;
-use super::view::promising;
 
 /// Writes a derivation, its verdicts and a case as one HTML file
 ///

@@ -17,8 +17,7 @@ use super::view::View;
 /// At each angle of the case: from which wind speed on the section gallops, and at which it is stable again.
 /// The speeds are the roots of a Hurwitz determinant as a polynomial in U, isolated in exact arithmetic, so
 /// that none is missed but where speeds are undecided; those of static divergence are roots of the determinant
-/// of the stiffness. The wind
-/// speed of the case does not matter. Numbers of the case count as doubles.
+/// of the stiffness. The wind speed of the case does not matter. Numbers of the case count as doubles.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {

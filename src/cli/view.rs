@@ -6,7 +6,7 @@ use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
 use super::Outcome;
-use super::file::write_made;
+use super::file::{promising, write_made};
 use super::output::{finish, width};
 
 /// How a case is shown.
@@ -61,18 +61,4 @@ impl View {
 
 fn svg(path: PathBuf) -> Result<PathBuf, String> {
     promising("svg", path)
-}
-
-/// A path that does not promise another kind of file.
-pub fn promising(kind: &str, path: PathBuf) -> Result<PathBuf, String> {
-    match path.extension() {
-        Some(other) if !other.eq_ignore_ascii_case(kind) => {
-            let message = format!(
-                "it is {}: give it a name that ends in .{kind}",
-                kind.to_uppercase()
-            );
-            Err(message)
-        }
-        _ => Ok(path),
-    }
 }

@@ -254,7 +254,10 @@ fn closed_form(case: &Case, table: &CoefficientTable) -> Result<Figure, InputErr
     let is_changed = tuned != *case;
     let figure = stability_figure::figure(&compare(&tuned, table)?);
     let title = match is_changed {
-        true => format!("{}; tuned to f_{{y}}, undamped without wind", figure.title),
+        true => format!(
+            "{}; tuned to f_{{y}}, without structural damping",
+            figure.title
+        ),
         false => figure.title,
     };
     Ok(Figure { title, ..figure })

@@ -108,7 +108,8 @@ pub fn conclusion(found: &SpeedsFound) -> String {
             rounded(
                 Value {
                     value: lowest,
-                    error: 1e-11 * lowest
+                    // It is known to 2⁻⁴⁰ of itself, and rounded.
+                    error: 1e-11 * lowest,
                 },
                 4
             ),

@@ -90,8 +90,9 @@ fn iterated(model: &Model) -> Result<Spectrum, Fallback> {
     best_spectrum(once(values), bounds, unit).map_err(|_| Fallback::NoRadius)
 }
 
+/// What the evaluators of exact modes take, of a section.
 #[allow(non_snake_case)]
-fn inputs(section: &Section) -> ScaledEntriesInputs<f64> {
+pub fn inputs(section: &Section) -> ScaledEntriesInputs<f64> {
     let p = section.parameters();
     let [[S_xx, S_xy, S_xt], [S_yx, S_yy, S_yt], [S_tx, S_ty, S_tt]] = section.scaled_damping();
     let [omega_x, omega_y, omega_theta] = p.natural_frequencies;
