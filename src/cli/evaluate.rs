@@ -223,7 +223,7 @@ fn known_names(audit: &Audit) -> BTreeSet<String> {
     for entry in audit.elaborator.scope.entries() {
         match &entry.meaning {
             Meaning::Symbol {
-                kind: SymbolKind::Parameter | SymbolKind::Angle,
+                kind: SymbolKind::Parameter | SymbolKind::Complex | SymbolKind::Angle,
                 ..
             } => drop(names.insert(entry.name.ascii.clone())),
             Meaning::Function { .. } => {

@@ -29,6 +29,24 @@ impl Cursor<'_> {
         })
     }
 
+    /// `complex λ, μ : 1/s "eigenvalues"`
+    pub(crate) fn complex(&mut self) -> Parsed<StatementKind> {
+        let names = self.declared_names()?;
+        let unit = self.unit()?;
+        if self.peek().is_some_and(is_comparison) {
+            let help =
+                "complex numbers have no order: leave the sign out, or declare a `parameter`";
+            return Err(self
+                .expected("a description or the end of the statement")
+                .with_help(help));
+        }
+        Ok(StatementKind::Complex {
+            names,
+            unit,
+            description: self.description()?,
+        })
+    }
+
     /// `angle α_g, θ_0 "…"`
     pub(crate) fn angle(&mut self) -> Parsed<StatementKind> {
         let names = self.declared_names()?;
@@ -208,13 +226,15 @@ impl Cursor<'_> {
         })
     }
 
-    /// `> 0`, `>= 0`, `!= 0`
+    /// `> 0`, `>= 0`, `!= 0`, `< 0`, `<= 0`
     fn sign(&mut self) -> Parsed<Option<Sign>> {
         let start = self.here().start;
         let sign = match self.peek() {
             Some(TokenKind::Greater) => Some(Sign::Positive),
             Some(TokenKind::GreaterOrEqual) => Some(Sign::NonNegative),
             Some(TokenKind::NotEqual) => Some(Sign::NonZero),
+            Some(TokenKind::Less) => Some(Sign::Negative),
+            Some(TokenKind::LessOrEqual) => Some(Sign::NonPositive),
             Some(kind) if is_comparison(kind) => None,
             _ => return Ok(None),
         };
@@ -229,7 +249,7 @@ impl Cursor<'_> {
                 self.since(start),
                 "this is not a sign that can be declared",
             )
-            .with_label("expected `> 0`, `>= 0` or `!= 0`")
+            .with_label("expected `> 0`, `>= 0`, `!= 0`, `< 0` or `<= 0`")
             .with_help(
                 "write other assumptions as `assume a < b`, with a unit that fits; 0 fits every unit",
             )),

@@ -63,8 +63,10 @@ pub enum Meaning {
 /// The sorts of quantities that a document declares.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SymbolKind {
-    /// A constant.
+    /// A real constant.
     Parameter,
+    /// A constant that need not be real.
+    Complex,
     /// A constant angle.
     Angle,
     /// A function of time.

@@ -13,8 +13,9 @@ use super::syntax::{
 use crate::algebra::number::Rational;
 
 /// The words a statement can begin with; anywhere else they are names like others.
-const KEYWORDS: [&str; 16] = [
+const KEYWORDS: [&str; 17] = [
     "parameter",
+    "complex",
     "angle",
     "coordinate",
     "function",
@@ -67,6 +68,7 @@ impl Cursor<'_> {
         let keyword = self.peek_text();
         let rest: fn(&mut Self) -> Parsed<StatementKind> = match keyword {
             "parameter" => Self::parameter,
+            "complex" => Self::complex,
             "angle" => Self::angle,
             "coordinate" => Self::coordinate,
             "function" => Self::function,

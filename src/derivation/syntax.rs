@@ -183,6 +183,10 @@ pub enum Sign {
     NonNegative,
     /// `!= 0`
     NonZero,
+    /// `< 0`
+    Negative,
+    /// `<= 0`
+    NonPositive,
 }
 
 /// `(8, printed)` or `[centre of rotation]`.
@@ -245,6 +249,15 @@ pub enum StatementKind {
         unit: Spanned<String>,
         /// What is assumed of its sign.
         sign: Option<Sign>,
+        /// In words.
+        description: Option<String>,
+    },
+    /// `complex λ, μ : 1/s "eigenvalues"`: a constant that need not be real, and so has no sign
+    Complex {
+        /// What is declared.
+        names: Vec<Spanned<Name>>,
+        /// `1/s`
+        unit: Spanned<String>,
         /// In words.
         description: Option<String>,
     },

@@ -73,6 +73,7 @@ fn sort(statement: &StatementKind) -> &'static str {
     match statement {
         StatementKind::Import { .. } => "import",
         StatementKind::Parameter { .. } => "parameter",
+        StatementKind::Complex { .. } => "complex",
         StatementKind::Angle { .. } => "angle",
         StatementKind::Coordinate { .. } => "coordinate",
         StatementKind::Function { .. } => "function",
@@ -103,7 +104,7 @@ fn the_table_of_statements_is_a_document() {
     let document = parse_document(&source).unwrap_or_else(|errors| panic!("{errors:?}"));
     assert_eq!(document.statements.len(), statements.len());
     let sorts: BTreeSet<&str> = document.statements.iter().map(|s| sort(&s.kind)).collect();
-    assert_eq!(sorts.len(), 17, "a sort of statement is missing: {sorts:?}");
+    assert_eq!(sorts.len(), 18, "a sort of statement is missing: {sorts:?}");
     runs("derivations/table.md", text);
 }
 

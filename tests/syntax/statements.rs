@@ -63,6 +63,17 @@ fn summary(statement: &Statement) -> String {
                 unit.value
             )
         }
+        StatementKind::Complex {
+            names: declared,
+            unit,
+            description,
+        } => {
+            format!(
+                "complex {} | {} | {description:?}",
+                names(declared),
+                unit.value
+            )
+        }
         StatementKind::Angle {
             names: declared,
             description,
@@ -214,6 +225,19 @@ fn every_form_says_what_it_says() {
             "parameter a : 1 ≠ 0",
             "parameter a | 1 | Some(NonZero) | None",
         ),
+        (
+            "parameter a : 1 < 0",
+            "parameter a | 1 | Some(Negative) | None",
+        ),
+        (
+            "parameter a : 1 <= 0",
+            "parameter a | 1 | Some(NonPositive) | None",
+        ),
+        (
+            r#"complex λ, S_xθ as S_xt : 1/s "eigenvalues""#,
+            r#"complex lamda S_xt | 1/s | None | Some("eigenvalues")"#,
+        ),
+        ("complex := 3", "define complex |  | 3"),
         (
             "parameter a:kg·m²  # words",
             "parameter a | kg·m² | None | None",

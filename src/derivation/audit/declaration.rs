@@ -40,6 +40,26 @@ impl Reader<'_> {
                 }
                 Ok(())
             }
+            StatementKind::Complex {
+                names,
+                unit,
+                description,
+            } => {
+                let unit = Unit::parse(unit)?;
+                for name in names {
+                    let ascii = name.value.ascii.clone();
+                    let generator = Generator::Constant { name: ascii };
+                    self.symbol(
+                        name,
+                        generator,
+                        &unit,
+                        SymbolKind::Complex,
+                        None,
+                        description,
+                    )?;
+                }
+                Ok(())
+            }
             StatementKind::Angle { names, description } => {
                 for name in names {
                     let generator = Generator::Angle {
@@ -155,8 +175,13 @@ impl Reader<'_> {
             Some(Sign::Positive) => Signs::POSITIVE,
             Some(Sign::NonNegative) => Signs::NON_NEGATIVE,
             Some(Sign::NonZero) => Signs::NON_ZERO,
+            Some(Sign::Negative) => Signs::NEGATIVE,
+            Some(Sign::NonPositive) => Signs::NON_NEGATIVE.opposite(),
         };
         ring.assumptions_mut().assume_symbol(symbol, signs);
+        if kind == SymbolKind::Complex {
+            ring.assumptions_mut().assume_complex(symbol);
+        }
         let meaning = Meaning::Symbol {
             symbol,
             unit: unit.clone(),

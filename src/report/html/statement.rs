@@ -56,9 +56,16 @@ pub fn quantity(statement: &StatementKind) -> Option<QuantityView> {
                 Sign::Positive => " > 0",
                 Sign::NonNegative => r" \ge 0",
                 Sign::NonZero => r" \ne 0",
+                Sign::Negative => " < 0",
+                Sign::NonPositive => r" \le 0",
             });
             view(names, sign, "parameter", &unit.value, description)
         }
+        StatementKind::Complex {
+            names,
+            unit,
+            description,
+        } => view(names, "", "complex", &unit.value, description),
         StatementKind::Angle { names, description } => view(names, "", "angle", "rad", description),
         StatementKind::Coordinate {
             names,
