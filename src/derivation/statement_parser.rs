@@ -33,6 +33,16 @@ const KEYWORDS: [&str; 17] = [
     "import",
 ];
 
+/// Those of the keywords that names follow.
+const DECLARATIONS: [&str; 6] = [
+    "parameter",
+    "complex",
+    "angle",
+    "coordinate",
+    "function",
+    "imaginary",
+];
+
 /// Whether a statement can begin with this word.
 pub(crate) fn is_keyword(word: &str) -> bool {
     // `ill-formed` is three tokens to the lexer.
@@ -59,7 +69,9 @@ impl Cursor<'_> {
                 .with_help(help));
         }
         // A keyword that is being defined is a name like others.
-        if matches!(self.peek_at(1), Some(TokenKind::Define | TokenKind::Comma)) {
+        if matches!(self.peek_at(1), Some(TokenKind::Define | TokenKind::Comma))
+            || self.is_at_defined_function()
+        {
             return self.definition();
         }
         if self.accept_ill_formed() {
@@ -87,6 +99,13 @@ impl Cursor<'_> {
         };
         self.advance();
         rest(self)
+    }
+
+    /// Whether a function is defined here that is called like a declaration: `complex(z) := …`.
+    fn is_at_defined_function(&self) -> bool {
+        self.peek_at(1) == Some(TokenKind::OpenRound)
+            && DECLARATIONS.contains(&self.peek_text())
+            && self.is_ahead(TokenKind::Define)
     }
 
     /// `ill-formed` without a space is a keyword, not a difference.

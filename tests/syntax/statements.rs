@@ -239,6 +239,10 @@ fn every_form_says_what_it_says() {
         ),
         ("complex := 3", "define complex |  | 3"),
         (
+            "complex(z) := z[1] + i*z[2]",
+            "define complex | z | z[1] + i*z[2]",
+        ),
+        (
             "parameter a:kg·m²  # words",
             "parameter a | kg·m² | None | None",
         ),
