@@ -7,6 +7,7 @@ pub mod cli;
 pub mod compile;
 pub mod derivation;
 pub mod documents;
+pub mod points;
 pub mod report;
 #[cfg(feature = "stability")]
 pub mod stability;

@@ -21,6 +21,8 @@ pub enum AlgebraError {
     UnknownSign,
     /// What stands under a root is negative.
     NegativeRadicand,
+    /// A root, a function or the angle of a vector is asked for of what is not real.
+    NotReal,
 }
 
 impl fmt::Display for AlgebraError {
@@ -35,6 +37,7 @@ impl fmt::Display for AlgebraError {
             AlgebraError::NotAnAngle => f.write_str("not a sum of angles with whole coefficients"),
             AlgebraError::UnknownSign => f.write_str("the sign of a root is not known"),
             AlgebraError::NegativeRadicand => f.write_str("the root of a negative element"),
+            AlgebraError::NotReal => f.write_str("a complex element where only real ones are"),
         }
     }
 }

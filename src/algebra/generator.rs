@@ -68,6 +68,17 @@ pub enum Generator {
 }
 
 impl Generator {
+    /// How a parameter, an angle, a coordinate or a function is called.
+    pub fn name(&self) -> Option<&str> {
+        match self {
+            Generator::Constant { name }
+            | Generator::Angle { name }
+            | Generator::Coordinate { name, .. }
+            | Generator::FunctionValue { name, .. } => Some(name),
+            _ => None,
+        }
+    }
+
     /// Whether sines and cosines of the symbol may be taken.
     pub fn is_angular(&self) -> bool {
         match self {

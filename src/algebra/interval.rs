@@ -165,7 +165,7 @@ impl Intervals {
     }
 
     /// π/2 = 8 arctan(1/5) − 2 arctan(1/239), by Machin.
-    fn quarter_turn(&self) -> Interval {
+    pub fn quarter_turn(&self) -> Interval {
         let [fifth, other] = [5_u32, 239].map(|inverse| self.arctangent(inverse));
         Interval {
             low: (fifth.low << 3) - (other.high << 1),

@@ -165,6 +165,9 @@ impl Ring {
     ///
     /// [`AlgebraError::Exhausted`] where the budget or a polynomial's size runs out.
     pub fn polynomial_signs(&self, polynomial: &Polynomial) -> Result<Signs, AlgebraError> {
+        if !self.is_real_polynomial(polynomial) {
+            return Ok(Signs::ANY);
+        }
         let whole = self.signs_by_terms(polynomial)?;
         if whole != Signs::ANY || polynomial.len() <= 1 {
             return Ok(whole);

@@ -1,5 +1,7 @@
 //! The ring everything lives in: polynomials modulo quadratic relations, and their fractions.
 
+use std::collections::BTreeSet;
+
 use super::angle::Angle;
 use super::budget::Budget;
 use super::degrees::Degrees;
@@ -276,8 +278,64 @@ impl Ring {
         Fraction::new(numerator, denominator, &self.budget)
     }
 
+    /// Whether a polynomial is real under every assignment: a normal form without i and without
+    /// complex symbols.
+    ///
+    /// Complexity: one pass over its terms.
+    pub fn is_real_polynomial(&self, polynomial: &Polynomial) -> bool {
+        let mut symbols = polynomial.symbols().into_iter();
+        symbols.all(|symbol| !self.assumptions.is_complex(symbol))
+    }
+
+    /// Whether an element is real under every assignment.
+    ///
+    /// Complexity: one pass over its terms.
+    pub fn is_real(&self, element: &Fraction) -> bool {
+        let sides = [element.numerator(), element.denominator()];
+        sides.into_iter().all(|side| self.is_real_polynomial(side))
+    }
+
+    /// The symbols of an element, and those that these stand for.
+    ///
+    /// Complexity: one pass over the terms of each.
+    pub fn constituents(&self, element: &Fraction) -> BTreeSet<Symbol> {
+        let symbols = |element: &Fraction| {
+            let mut symbols = element.numerator().symbols();
+            symbols.extend(element.denominator().symbols());
+            symbols
+        };
+        let mut open: Vec<Symbol> = symbols(element).into_iter().collect();
+        let mut found = BTreeSet::new();
+        while let Some(symbol) = open.pop() {
+            if !found.insert(symbol) {
+                continue;
+            }
+            match self.generator(symbol) {
+                Generator::Root { radicand } => open.extend(radicand.symbols()),
+                Generator::FunctionValue { argument, .. } => open.extend(symbols(argument)),
+                Generator::Direction { x, y, .. } => {
+                    open.extend(symbols(x));
+                    open.extend(symbols(y));
+                }
+                Generator::Cosine { angle } | Generator::Sine { angle } => {
+                    open.extend(angle.coefficients().map(|(inside, _)| inside));
+                }
+                _ => {}
+            }
+        }
+        found
+    }
+
+    /// The element, if it is real.
+    pub(super) fn real<'e>(&self, element: &'e Fraction) -> Result<&'e Fraction, AlgebraError> {
+        match self.is_real(element) {
+            true => Ok(element),
+            false => Err(AlgebraError::NotReal),
+        }
+    }
+
     /// p² + q² of a polynomial p + q i with real p and q, which is 0 exactly where the polynomial is;
-    /// the polynomial itself where it does not contain i.
+    /// the polynomial itself where it does not contain i, or where p or q is not real.
     ///
     /// Complexity: two products.
     ///
@@ -290,6 +348,9 @@ impl Ring {
             return Ok(polynomial.clone());
         };
         let parts = polynomial.coefficients_in(symbol);
+        if !parts.values().all(|part| self.is_real_polynomial(part)) {
+            return Ok(polynomial.clone());
+        }
         let mut sum = Polynomial::zero();
         for part in parts.values() {
             sum = &sum + &part.multiply(part, &self.budget)?;
@@ -329,8 +390,8 @@ impl Ring {
     ///
     /// # Errors
     ///
-    /// [`AlgebraError::TooManySymbols`] where the ring is full, [`AlgebraError::Exhausted`] where the
-    /// budget runs out.
+    /// [`AlgebraError::NotReal`] where A is not real, [`AlgebraError::TooManySymbols`] where the ring is
+    /// full, [`AlgebraError::Exhausted`] where the budget runs out.
     pub fn function_value(
         &mut self,
         name: &str,
@@ -338,6 +399,7 @@ impl Ring {
         argument: &Fraction,
     ) -> Result<Fraction, AlgebraError> {
         let argument = self.canonical(argument)?;
+        self.real(&argument)?;
         let symbol = self.symbol(Generator::FunctionValue {
             name: name.into(),
             order,

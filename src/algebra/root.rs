@@ -23,7 +23,7 @@ impl Ring {
     ///
     /// # Errors
     ///
-    /// [`AlgebraError::NegativeRadicand`] where a is negative; [`AlgebraError::UnknownSign`] where it may
+    /// [`AlgebraError::NotReal`] where a is not real; [`AlgebraError::NegativeRadicand`] where a is negative; [`AlgebraError::UnknownSign`] where it may
     /// not be positive, or is a square, but of a factor whose sign is not known;
     /// [`AlgebraError::TooManySymbols`] where the ring is full; [`AlgebraError::Exhausted`] where the
     /// budget or a polynomial's size runs out.
@@ -45,6 +45,7 @@ impl Ring {
         if element.is_zero() {
             return Ok(self.zero());
         }
+        self.real(element)?;
         let signs = self.signs(element)?;
         if !signs.positive {
             return Err(match signs.zero {

@@ -192,6 +192,11 @@ impl Assumptions {
         self.complex.push(symbol);
     }
 
+    /// Whether a symbol may have values that are not real.
+    pub fn is_complex(&self, symbol: Symbol) -> bool {
+        self.complex.contains(&symbol)
+    }
+
     /// Notes what is known of a polynomial.
     pub fn assume_polynomial(&mut self, polynomial: Polynomial, signs: Signs) {
         self.polynomials.push((polynomial, signs));

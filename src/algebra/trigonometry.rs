@@ -176,10 +176,13 @@ impl Ring {
     ///
     /// # Errors
     ///
-    /// [`AlgebraError::DivisionByZero`] for the vector (0, 0), and those of
+    /// [`AlgebraError::NotReal`] where x or y is not real, [`AlgebraError::DivisionByZero`] for the vector
+    /// (0, 0), and those of
     /// [`Ring::square_root`].
     pub fn direction(&mut self, x: &Fraction, y: &Fraction) -> Result<Fraction, AlgebraError> {
         let (x, y) = (&self.canonical(x)?, &self.canonical(y)?);
+        self.real(x)?;
+        self.real(y)?;
         for index in 0..self.basis.len() {
             let BasisAngle {
                 angle,

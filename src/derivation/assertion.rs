@@ -2,11 +2,9 @@
 
 pub(super) mod comparison;
 
-use std::collections::BTreeSet;
-
 use crate::algebra::arithmetic::Arithmetic;
+use crate::algebra::error::AlgebraError;
 use crate::algebra::fraction::Fraction;
-use crate::algebra::polynomial::Polynomial;
 use crate::algebra::symbol::Symbol;
 
 use super::condition::Conditions;
@@ -51,8 +49,6 @@ pub struct Finding {
     pub(super) residual: Option<Expression>,
     /// The normal forms of both sides; nothing where they cannot be compared.
     pub(super) sides: Option<(Value, Value)>,
-    /// Of what may be refuted, the names under which a point lists the values of both sides.
-    pub(super) names: BTreeSet<String>,
 }
 
 /// What the normal forms of both sides show.
@@ -62,20 +58,21 @@ pub(super) enum Outcome {
     IllFormed(String),
     /// The normal forms agree, or the inequality follows from the assumptions.
     True,
-    /// The normal forms agree up to the order, and not beyond.
-    TrueToOrder,
+    /// The normal forms agree up to the order; the degree behind it at which they do not, if one was found.
+    TrueToOrder(Option<u32>),
     /// The normal forms differ, at the given degree in the small quantities for an approximation.
     Different(Option<u32>),
     /// The assumptions do not decide an inequality.
     Open,
-    /// A point would not show anything, for the given reason.
-    Unresolved(&'static str),
 }
 
 impl Outcome {
-    /// Whether the first route found it true, at least to its order.
-    pub(super) const fn is_true(&self) -> bool {
-        matches!(self, Outcome::True | Outcome::TrueToOrder)
+    /// The degree at which an approximation is found to be false.
+    pub(super) const fn degree(&self) -> Option<u32> {
+        match self {
+            Outcome::Different(degree) => *degree,
+            _ => None,
+        }
     }
 }
 
@@ -108,7 +105,6 @@ impl Elaborator {
                     conditions: Vec::new(),
                     residual: None,
                     sides: None,
-                    names: BTreeSet::new(),
                 });
             }
         };
@@ -120,19 +116,15 @@ impl Elaborator {
         let (outcome, residual) = match (relation.comparison, &assertion.order) {
             (Comparison::Equal, None) => (self.compare(&differences), None),
             (Comparison::Equal, Some(order)) => self.compare_to_order(&differences, order, span)?,
-            (comparison, _) => (
-                self.compare_signs(&differences, comparison, relation)?,
-                None,
-            ),
+            (comparison, _) => {
+                self.require_real([(&left, &relation.left), (&right, &relation.right)])?;
+                (self.compare_signs(&differences, comparison, relation)?, None)
+            }
         };
         if let Some(order) = &assertion.order {
             self.require_where_small_vanish([&left, &right], order, span)?;
         }
         let needed = std::mem::take(&mut self.conditions);
-        let names = match outcome {
-            Outcome::Different(_) | Outcome::Open => self.value_names([&left, &right], span)?,
-            _ => BTreeSet::new(),
-        };
         Ok(Finding {
             assertion: assertion.clone(),
             outcome,
@@ -141,7 +133,6 @@ impl Elaborator {
                 .map(|residual| self.present(&residual, span))
                 .transpose()?,
             sides: Some((left, right)),
-            names,
         })
     }
 
@@ -163,6 +154,21 @@ impl Elaborator {
         for side in sides {
             self.require_expansion(side, &small, &at_zero, span)
                 .map_err(|error| unexpandable(error, &names, span))?;
+        }
+        Ok(())
+    }
+
+    /// Sees that values are real: complex numbers have no order.
+    pub(super) fn require_real(
+        &self,
+        sides: [(&Value, &Expression); 2],
+    ) -> Result<(), Diagnostic> {
+        for (value, expression) in sides {
+            let entries = value.entries().iter();
+            if !entries.map(|entry| &entry.value).all(|entry| self.ring.is_real(entry)) {
+                return Err(algebra(AlgebraError::NotReal, &expression.span)
+                    .with_label("complex numbers have no order"));
+            }
         }
         Ok(())
     }
@@ -193,24 +199,6 @@ impl Elaborator {
             }
         }
         Ok(Ok((left, right)))
-    }
-
-    /// The names under which a point lists the values that sides are made of: `m`, `dt(x)`,
-    /// `cos(alpha_0)`.
-    fn value_names(&self, sides: [&Value; 2], span: &Span) -> Result<BTreeSet<String>, Diagnostic> {
-        let presenter = self.presenter();
-        let entries = sides.into_iter().flat_map(|side| side.entries());
-        let polynomials =
-            entries.flat_map(|entry| [entry.value.numerator(), entry.value.denominator()]);
-        let symbols: BTreeSet<_> = polynomials.flat_map(Polynomial::symbols).collect();
-        let mut names = BTreeSet::new();
-        for symbol in symbols {
-            let shown = presenter
-                .symbol(symbol)
-                .map_err(|error| algebra(error, span))?;
-            shown.collect_values(&mut names);
-        }
-        Ok(names)
     }
 
     pub(crate) fn present_conditions(

@@ -1,6 +1,7 @@
 //! Expressions become elements of the ring: the first of the two routes to a verdict.
 
 mod call;
+mod complex;
 pub(super) mod error;
 pub(super) mod limit;
 pub(super) mod matrix;
@@ -45,6 +46,10 @@ pub struct Elaborator {
     arguments: Vec<BTreeMap<String, Value>>,
     /// The named substitutions that were used, by ASCII name.
     substitutions: BTreeMap<String, KnownSubstitution>,
+    /// The complex symbols that stand for names that were declared real, by ASCII name.
+    twins: BTreeMap<String, Symbol>,
+    /// The definitions that were elaborated with these, by ASCII name.
+    twin_values: BTreeMap<String, (Value, Conditions)>,
     nesting: usize,
 }
 
@@ -58,6 +63,8 @@ impl Elaborator {
             trusts_replacements: false,
             arguments: Vec::new(),
             substitutions: BTreeMap::new(),
+            twins: BTreeMap::new(),
+            twin_values: BTreeMap::new(),
             nesting: 0,
         }
     }
@@ -67,6 +74,8 @@ impl Elaborator {
         self.ring.budget().refill();
         self.conditions = Conditions::default();
         self.arguments.clear();
+        self.twins.clear();
+        self.twin_values.clear();
         self.nesting = 0;
     }
 
@@ -199,9 +208,14 @@ impl Elaborator {
         }
         match &self.scope.find(name, span)?.meaning {
             Meaning::Symbol { symbol, unit, .. } => {
+                let symbol = self.twins.get(&name.ascii).unwrap_or(symbol);
                 Ok(Quantity::new(self.ring.element(*symbol), unit.clone()).scalar())
             }
             Meaning::Function { .. } => self.function_value(name, 0, None, span),
+            Meaning::Definition { expression, .. } if self.rests_on_twin(name) => {
+                let expression = expression.clone();
+                self.complex_definition(name, &expression)
+            }
             Meaning::Definition {
                 value, conditions, ..
             } => {

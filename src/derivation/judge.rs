@@ -1,187 +1,297 @@
-//! The verdicts on assertions: what the first route found, with the second at points.
+//! The verdicts on assertions: what the first route found, with the second at assignments.
 
+mod coordinate;
 pub mod matching;
-mod points;
 mod sides;
 mod witness;
 
 use std::collections::BTreeMap;
-use std::panic::resume_unwind;
-use std::thread;
+use std::sync::Arc;
 
 use crate::algebra::sign::Signs;
+use crate::points::evaluation::Evaluation;
+use crate::points::graph::{Graph, Kind};
+use crate::points::meaning::{Meaning, Meanings};
+use crate::points::unfolding::Unfolding;
+use crate::points::{Assumed, Failure, Search, Sheet, measured};
 
 use super::assertion::{Assertion, Finding, Outcome};
 use super::diagnostic::{Diagnostic, DiagnosticKind};
-use super::evaluation::evaluator::{Evaluator, Failure};
-use super::scope::Scope;
-use super::syntax::{Name, Relation, Span};
+use super::scope::{self, Scope, SymbolKind};
+use super::syntax::{Name, Relation};
 use super::verdict::{Claim, Verdict, Witness};
 
 use matching::MatchingCheck;
-use points::{NO_POINT, Points, random_point, simple_point};
-use sides::{compare, sides};
-use witness::{Fruitless, witness};
+use sides::{Agreement, Sides};
+use witness::{Candidates, Fruitless};
 
-/// At how many random points every assertion is evaluated.
+/// At how many random assignments every assertion is evaluated.
 const POINTS: usize = 2;
 
-/// How many random points are tried before an assertion is given up that has no value at most of them.
-const MOST_CHECKPOINTS: usize = 24;
+/// How many random assignments there are for assertions that have no value at most of them.
+const MOST_CHECKPOINTS: u64 = 12;
 
-/// Evaluates assertions at points of a finished document and gives the verdicts.
+/// How many operations the points may take for one document, and for one assertion.
+const STEPS: [usize; 2] = [12_000_000, 2_000_000];
+
+/// Why there are too few points.
+const NO_POINT: &str = "no assignment was found that satisfies the assumptions";
+
+/// What the sides of an assertion come to where they are not evaluated.
+const FAULT: &str = "the first route finds it true, and the second false: this is a mistake of sextic, \
+                     not of the document; please report it";
+
+/// Evaluates assertions at assignments and gives the verdicts.
 pub struct Judge<'a> {
-    /// Random points at which identities are checked.
-    checkpoints: Points<'a>,
-    /// Points at which counterexamples are looked for, simple ones first.
-    candidates: Points<'a>,
+    scope: &'a Scope,
+    assumptions: &'a [Relation],
+    signs: BTreeMap<String, Signs>,
 }
 
-/// What became of a check at a point: passed, or impossible for a reason; an error where it fails.
-pub type Checked = Result<Result<(), Failure>, Diagnostic>;
+/// What became of a check: at how many points it passed, or why there were not enough.
+pub type Checked = Result<usize, String>;
 
 impl<'a> Judge<'a> {
-    /// A judge over the names of a document, at points that satisfy its assumptions.
+    /// A judge over the names of a document, at assignments that satisfy its assumptions.
     pub fn new(
         scope: &'a Scope,
         assumptions: &'a [Relation],
         signs: BTreeMap<String, Signs>,
     ) -> Self {
-        let points = |choose| Points::new(scope, assumptions, signs.clone(), choose);
         Judge {
-            checkpoints: points(random_point),
-            candidates: points(simple_point),
+            scope,
+            assumptions,
+            signs,
         }
     }
 
-    /// The verdicts on findings, with the matchings checked too; the points are taken side by side.
+    /// The verdicts on findings, with the matchings checked too.
     ///
     /// # Errors
     ///
-    /// A [`Diagnostic`] where the two routes disagree, which is a mistake of this program, or where a
-    /// matching cannot be checked.
+    /// A [`Diagnostic`] where a matching cannot be checked.
     pub fn judge_all(
         &mut self,
         findings: &'a [Finding],
         matchings: &'a [MatchingCheck],
     ) -> Result<Vec<Claim>, Diagnostic> {
-        self.checkpoints.at(POINTS - 1);
-        let checkpoints = self.checkpoints.found().take(POINTS);
-        let candidates = &mut self.candidates;
-        let (checked, witnesses) = thread::scope(|threads| {
-            let checked = checkpoints.map(|evaluator| {
-                threads.spawn(|| {
-                    let findings = findings.iter().map(|finding| check(evaluator, finding));
-                    let findings: Vec<Checked> = findings.collect();
-                    let matchings = matchings.iter().map(|matching| matching.check(evaluator));
-                    (findings, matchings.collect::<Vec<Checked>>())
-                })
-            });
-            let checked: Vec<_> = checked.collect();
-            let witnesses = findings.iter().map(|finding| witness(candidates, finding));
-            let witnesses: Vec<Result<Witness, Fruitless>> = witnesses.collect();
-            let join = |thread: thread::ScopedJoinHandle<'_, _>| {
-                thread.join().unwrap_or_else(|panic| resume_unwind(panic))
-            };
-            (checked.into_iter().map(join).collect::<Vec<_>>(), witnesses)
-        });
-        let (mut of_findings, mut of_matchings): (Vec<_>, Vec<_>) = checked
-            .into_iter()
-            .map(|(findings, matchings)| (findings.into_iter(), matchings.into_iter()))
-            .unzip();
-        let mut claims = Vec::new();
-        for (finding, witness) in findings.iter().zip(witnesses) {
-            let known = of_findings.iter_mut().filter_map(Iterator::next).collect();
-            let points = self.enough(known, |evaluator| check(evaluator, finding))?;
-            claims.push(claim(finding, points, witness));
-        }
+        let meanings = meanings(self.scope);
+        let mut court = Court::new(self, &meanings);
+        let claims = findings.iter().map(|finding| court.claim(finding));
+        let claims = claims.collect();
         for matching in matchings {
-            let known = of_matchings.iter_mut().filter_map(Iterator::next).collect();
-            let points = self.enough(known, |evaluator| matching.check(evaluator))?;
-            matching.conclude(points)?;
+            court.renew();
+            let checked = matching.check(&mut court.unfolding);
+            matching.conclude(checked)?;
         }
         Ok(claims)
     }
-
-    /// Carries out a check at as many random points as are needed, of which the first are known: how
-    /// many those were, or why there are not enough. Points at which something has no value are passed
-    /// over.
-    fn enough(
-        &mut self,
-        known: Vec<Checked>,
-        check: impl Fn(&mut Evaluator<'a>) -> Checked,
-    ) -> Result<Result<usize, Failure>, Diagnostic> {
-        let mut known = known.into_iter();
-        let (mut passed, mut reason) = (0, NO_POINT.to_string());
-        for count in 0..MOST_CHECKPOINTS {
-            let checked = match (known.next(), self.checkpoints.at(count)) {
-                (Some(checked), _) => checked,
-                (None, Some(evaluator)) => check(evaluator),
-                (None, None) => break,
-            };
-            match checked? {
-                Ok(()) => passed += 1,
-                Err(why) => reason = why,
-            }
-            if passed == POINTS {
-                return Ok(Ok(POINTS));
-            }
-        }
-        Ok(Err(reason))
-    }
 }
 
-/// Evaluates both sides of what the first route found true.
-fn check<'a>(evaluator: &mut Evaluator<'a>, finding: &'a Finding) -> Checked {
-    if !finding.outcome.is_true() {
-        return Ok(Ok(()));
-    }
-    let assertion = &finding.assertion;
-    let sides = match sides(evaluator, assertion, assertion.order.as_ref()) {
-        Ok(sides) => sides,
-        Err(reason) => return Ok(Err(format!("cannot be evaluated at a point: {reason}"))),
+/// What the names of a document mean, without the elements of the ring.
+fn meanings(scope: &Scope) -> Meanings<'_> {
+    let meaning = |meaning| match meaning {
+        &scope::Meaning::Symbol { kind, .. } => match kind {
+            SymbolKind::Parameter => Meaning::Variable(Kind::Real),
+            SymbolKind::Complex => Meaning::Variable(Kind::Complex),
+            SymbolKind::Angle => Meaning::Variable(Kind::Angle),
+            SymbolKind::Coordinate => Meaning::Variable(Kind::Coordinate),
+            SymbolKind::AngularCoordinate => Meaning::Variable(Kind::AngularCoordinate),
+            SymbolKind::Imaginary => Meaning::ImaginaryUnit,
+        },
+        scope::Meaning::Function { reference, .. } => Meaning::Function(reference),
+        scope::Meaning::Definition { expression, .. } => Meaning::Definition(expression),
+        scope::Meaning::Template {
+            arguments,
+            expression,
+        } => Meaning::Template(arguments, expression),
+        scope::Meaning::Substitution { replacements, .. } => Meaning::Substitution(replacements),
     };
-    for (left, right) in sides {
-        let extension = &evaluator.point().extension;
-        match compare(&left, &right, assertion.relation.comparison, extension) {
-            Some(true) => {}
-            Some(false) => return Err(disagreement(&assertion.span)),
-            None => return Ok(Err("the sides cannot be compared at a point".into())),
-        }
-    }
-    Ok(Ok(()))
+    let entries = scope.entries();
+    entries
+        .map(|entry| (entry.name.ascii.as_str(), meaning(&entry.meaning)))
+        .collect()
 }
 
-/// The claim that a finding becomes with what the points showed.
-fn claim(
-    finding: &Finding,
-    points: Result<usize, Failure>,
-    witness: Result<Witness, Fruitless>,
-) -> Claim {
-    let mut claim = undecided(finding);
-    match (&finding.outcome, points, witness) {
-        (Outcome::IllFormed(reason), ..) => {
-            claim.verdict = Verdict::IllFormed;
-            claim.reason = Some(reason.clone());
+/// Where the assertions of one document are judged.
+struct Court<'a> {
+    unfolding: Unfolding<'a>,
+    candidates: Candidates<'a>,
+    /// Why there are no assignments.
+    unsatisfied: Option<Failure>,
+    /// How many operations are left for the document.
+    steps: usize,
+}
+
+impl<'a> Court<'a> {
+    fn new(judge: &Judge<'a>, meanings: &'a Meanings<'a>) -> Self {
+        let mut search = Search {
+            signs: Arc::new(judge.signs.clone()),
+            measured: Arc::default(),
+            assumed: Vec::new(),
+            is_simple: false,
+        };
+        let graph = Graph::default();
+        let generic = (0..MOST_CHECKPOINTS).filter_map(|place| search.find(&graph, place));
+        let generic: Vec<Evaluation> = generic.collect();
+        let mut unfolding = Unfolding::new(meanings, Sheet { graph, generic });
+        let assumed = judge.assumptions.iter().map(|relation| {
+            Ok(Assumed {
+                left: unfolding.scalar(&relation.left)?,
+                comparison: relation.comparison,
+                right: unfolding.scalar(&relation.right)?,
+            })
+        });
+        let assumed: Result<Vec<Assumed>, Failure> = assumed.collect();
+        let unsatisfied = assumed.as_ref().err().copied();
+        search.assumed = assumed.unwrap_or_default();
+        let sides = search.assumed.iter().flat_map(|one| [one.left, one.right]);
+        let sides: Vec<_> = sides.collect();
+        search.measured = Arc::new(measured(&unfolding.sheet.graph, &sides));
+        let sheet = &mut unfolding.sheet;
+        if !search.assumed.is_empty() {
+            let found = (0..MOST_CHECKPOINTS).map_while(|place| search.find(&sheet.graph, place));
+            sheet.generic = found.collect();
         }
-        (Outcome::True | Outcome::TrueToOrder, Ok(points), _) => {
-            claim.points = points;
-            claim.verdict = verdict_on_truth(finding);
-            if claim.verdict == Verdict::Approximate {
+        search.is_simple = true;
+        Court {
+            unfolding,
+            candidates: Candidates::new(search, judge.scope),
+            unsatisfied,
+            steps: STEPS[0],
+        }
+    }
+
+    /// Whether nothing can be judged, since no assignment satisfies the assumptions.
+    fn is_empty(&self) -> bool {
+        self.unsatisfied.is_some() || self.unfolding.sheet.generic.is_empty()
+    }
+
+    /// Allows the operations of one assertion, as far as the document has some left.
+    fn renew(&mut self) {
+        let generic = &mut self.unfolding.sheet.generic;
+        let steps = self.steps.min(STEPS[1]) / generic.len().max(1);
+        generic.iter_mut().for_each(|evaluation| {
+            evaluation.steps = steps;
+            evaluation.forget();
+        });
+    }
+
+    /// The verdict on a finding.
+    fn claim(&mut self, finding: &'a Finding) -> Claim {
+        let mut claim = undecided(finding);
+        match &finding.outcome {
+            Outcome::IllFormed(reason) => {
+                claim.verdict = Verdict::IllFormed;
+                claim.reason = Some(reason.clone());
+                return claim;
+            }
+            _ if self.is_empty() => {
+                claim.reason = Some(NO_POINT.to_owned());
+                return claim;
+            }
+            _ => {}
+        }
+        self.renew();
+        let before = self.left();
+        match Sides::of(finding, &mut self.unfolding) {
+            Ok(sides) => self.judge(finding, &sides, &mut claim),
+            Err(failure) => claim.reason = Some(no_value(&finding.outcome, failure)),
+        }
+        let spent = before.saturating_sub(self.left()) + self.candidates.spent;
+        self.candidates.spent = 0;
+        self.steps = self.steps.saturating_sub(spent);
+        claim
+    }
+
+    /// How many operations the random assignments may still take.
+    fn left(&self) -> usize {
+        let generic = self.unfolding.sheet.generic.iter();
+        generic.map(|evaluation| evaluation.steps).sum()
+    }
+
+    fn judge(&mut self, finding: &Finding, sides: &Sides, claim: &mut Claim) {
+        let graph_and_points = &mut self.unfolding.sheet;
+        match &finding.outcome {
+            Outcome::True | Outcome::TrueToOrder(_) => {
+                match agreement(sides, finding, graph_and_points) {
+                    Ok(points) => self.found_true(finding, sides, points, claim),
+                    Err(Disagreement::Fault) => {
+                        claim.is_fault = true;
+                        claim.reason = Some(FAULT.to_owned());
+                    }
+                    Err(Disagreement::TooFew(failure)) => {
+                        claim.reason = Some(no_value(&finding.outcome, failure));
+                    }
+                }
+            }
+            _ => {
+                let sheet = &self.unfolding.sheet;
+                match self.candidates.witness(sides, finding, &sheet.graph) {
+                    Ok(witness) => refuted(claim, witness),
+                    Err(fruitless) => claim.reason = Some(no_witness(&finding.outcome, &fruitless)),
+                }
+            }
+        }
+    }
+
+    /// The verdict on what is true on both routes.
+    fn found_true(&mut self, finding: &Finding, sides: &Sides, points: usize, claim: &mut Claim) {
+        claim.points = points;
+        let Outcome::TrueToOrder(_) = finding.outcome else {
+            claim.verdict = match finding.conditions.is_empty() {
+                true => Verdict::Holds,
+                false => Verdict::HoldsWhere,
+            };
+            return;
+        };
+        let graph = &self.unfolding.sheet.graph;
+        match sides.beyond.is_some() && self.candidates.goes_beyond(sides, finding, graph) {
+            true => {
+                claim.verdict = Verdict::Approximate;
                 claim.neglected = beyond_order(&finding.assertion);
             }
+            false => {
+                let reason = "the sides are equal up to the order, but no further term was found \
+                              that is not 0: claim it with a higher order, or as an equation";
+                claim.reason = Some(reason.to_owned());
+            }
         }
-        (Outcome::True | Outcome::TrueToOrder, Err(reason), _) => claim.reason = Some(reason),
-        (Outcome::Different(_) | Outcome::Open, _, Ok(witness)) => {
-            claim.witness = Some(witness);
-            claim.verdict = Verdict::Refuted;
-        }
-        (Outcome::Different(_) | Outcome::Open, _, Err(fruitless)) => {
-            claim.reason = Some(no_witness(&finding.outcome, &fruitless));
-        }
-        (Outcome::Unresolved(reason), ..) => claim.reason = Some((*reason).to_string()),
     }
-    claim
+}
+
+/// Why what the first route found true is not confirmed.
+enum Disagreement {
+    /// The sides differ at an assignment.
+    Fault,
+    /// They have values at too few.
+    TooFew(Failure),
+}
+
+/// At how many random assignments the sides of what the first route found true agree.
+fn agreement(sides: &Sides, finding: &Finding, sheet: &mut Sheet) -> Result<usize, Disagreement> {
+    let (mut passed, mut why) = (0, Failure::UnknownSign);
+    let comparison = finding.assertion.relation.comparison;
+    for evaluation in &mut sheet.generic {
+        match sides.at(evaluation, &sheet.graph, comparison) {
+            Ok(Agreement::Agrees) => passed += 1,
+            Ok(Agreement::Differs) => return Err(Disagreement::Fault),
+            Ok(Agreement::OutsideOfConditions) => why = Failure::DivisionByZero,
+            Err(failure) => why = failure,
+        }
+        if passed == POINTS {
+            return Ok(passed);
+        }
+    }
+    match passed {
+        0 => Err(Disagreement::TooFew(why)),
+        _ => Ok(passed),
+    }
+}
+
+fn refuted(claim: &mut Claim, witness: Witness) {
+    claim.witness = Some(witness);
+    claim.verdict = Verdict::Refuted;
 }
 
 /// The claim that a finding is, before it is judged.
@@ -199,17 +309,9 @@ fn undecided(finding: &Finding) -> Claim {
         residual: finding.residual.clone(),
         witness: None,
         reason: None,
+        is_fault: false,
         sides: finding.sides.clone(),
         points: 0,
-    }
-}
-
-/// The verdict on what is true on both routes.
-fn verdict_on_truth(finding: &Finding) -> Verdict {
-    match (&finding.outcome, finding.conditions.is_empty()) {
-        (Outcome::TrueToOrder, _) => Verdict::Approximate,
-        (_, true) => Verdict::Holds,
-        (_, false) => Verdict::HoldsWhere,
     }
 }
 
@@ -220,26 +322,31 @@ fn beyond_order(assertion: &Assertion) -> Option<(u32, Vec<Name>)> {
     Some((order.order.value + 1, small.collect()))
 }
 
+/// What the first route found of an assertion that is not certain.
+const fn found(outcome: &Outcome) -> &'static str {
+    match outcome {
+        Outcome::Open => "the signs of the parameters do not decide it",
+        Outcome::Different(_) => "the normal forms differ",
+        _ => "the normal forms agree",
+    }
+}
+
+/// Why nothing is certain of what has no value at the points.
+fn no_value(outcome: &Outcome, failure: Failure) -> String {
+    let found = found(outcome);
+    format!("{found}, but it cannot be evaluated at a point: {failure}")
+}
+
 /// Why nothing is refuted without a point.
 fn no_witness(outcome: &Outcome, fruitless: &Fruitless) -> String {
-    let (found, contradicts) = match outcome {
-        Outcome::Open => (
-            "the signs of the parameters do not decide it",
-            "no point contradicts it",
-        ),
-        _ => (
-            "the normal forms differ",
-            "no point was found at which the sides do",
-        ),
+    let contradicts = match outcome {
+        Outcome::Open => "no point contradicts it",
+        _ => "no point was found at which the sides do",
     };
+    let found = found(outcome);
     match fruitless {
         Fruitless::NoPoint => format!("{found}, but {NO_POINT}"),
-        Fruitless::NoValue(reason) => {
-            format!("{found}, but it cannot be evaluated at a point: {reason}")
-        }
-        Fruitless::NoOrder => {
-            format!("{found}, and at points its sides are numbers without an order")
-        }
+        Fruitless::NoValue(failure) => no_value(outcome, *failure),
         Fruitless::NoConditions => {
             format!("{found}, but no point was found that satisfies its conditions")
         }
@@ -250,9 +357,8 @@ fn no_witness(outcome: &Outcome, fruitless: &Fruitless) -> String {
     }
 }
 
-fn disagreement(span: &Span) -> Diagnostic {
-    let message = "the two routes to a verdict disagree";
+/// A matching that fails at a point, or has no value there.
+fn fault(span: &super::syntax::Span, message: &str) -> Diagnostic {
     Diagnostic::new(DiagnosticKind::Disagreement, span.clone(), message)
-        .with_label("equal in normal form, different at a point")
         .with_help("this is a mistake of sextic, not of the document: please report it")
 }

@@ -9,7 +9,6 @@ pub mod diagnostic;
 pub mod document;
 pub mod domain;
 pub mod elaboration;
-pub mod evaluation;
 pub mod evaluator;
 pub mod explanation;
 pub mod expression_parser;

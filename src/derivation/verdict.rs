@@ -57,19 +57,30 @@ pub struct Condition {
     pub requirement: Requirement,
 }
 
-/// A point at which two sides differ.
+/// The value that an assignment gives something.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Coordinate {
+    /// An expression such as `m` or `cos(α_0)`.
+    pub name: Expression,
+    /// Its value, or the real part of that.
+    pub value: Rational,
+    /// The imaginary part of a complex value.
+    pub imaginary: Option<Rational>,
+}
+
+/// An assignment under which two sides differ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Witness {
-    /// Expressions such as `m` or `cos(α_0)`, and their values.
-    pub point: Vec<(Expression, Rational)>,
+    /// What the assignment is, as far as it matters.
+    pub point: Vec<Coordinate>,
     /// Of an approximation, the degree in the small quantities of the terms that differ; the sides
     /// are these terms.
     pub degree: Option<u32>,
     /// The row and column, counted from 1, at which two matrices differ.
     pub entry: Option<(usize, usize)>,
-    /// The left side there, exactly.
+    /// The left side there: a fraction, or the digits that are known.
     pub left: String,
-    /// The right side there, exactly.
+    /// The right side there, in the same way.
     pub right: String,
 }
 
@@ -98,6 +109,8 @@ pub struct Claim {
     pub witness: Option<Witness>,
     /// Why an assertion is ill-formed or undecided.
     pub reason: Option<String>,
+    /// Whether the two routes contradict each other, which is a mistake of this program.
+    pub is_fault: bool,
     /// The normal forms of both sides; nothing where they cannot be compared.
     pub sides: Option<(Value, Value)>,
     /// At how many random points both sides were compared and found equal.

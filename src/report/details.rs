@@ -104,10 +104,10 @@ fn point(claim: &Claim, witness: &Witness, notation: Notation, extent: Extent) -
         Extent::Overview => MOST_COORDINATES,
         Extent::Full => usize::MAX,
     };
-    let coordinates =
-        witness.point.iter().take(most).map(|(name, value)| {
-            format!("{} = {}", notation.expression(name), notation.number(value))
-        });
+    let coordinates = witness.point.iter().take(most).map(|one| {
+        let name = notation.expression(&one.name);
+        format!("{name} = {}", words::assigned(one, notation))
+    });
     let mut phrase = Phrase::default().list(coordinates, ", ");
     let is_shortened = witness.point.len() > most;
     if is_shortened {

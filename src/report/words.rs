@@ -5,7 +5,7 @@ use crate::derivation::condition::Requirement;
 use crate::derivation::matching::{Matched, Row, Singularity};
 use crate::derivation::notation::Notation;
 use crate::derivation::syntax::{BinaryOperator, Expectation, Expression, Label, Node};
-use crate::derivation::verdict::{Claim, Condition, Verdict};
+use crate::derivation::verdict::{Claim, Condition, Coordinate, Verdict};
 
 use super::phrase::Phrase;
 
@@ -30,6 +30,19 @@ pub const fn mark(verdict: Verdict) -> &'static str {
 /// `✓ holds`
 pub fn verdict(verdict: Verdict) -> String {
     format!("{} {}", mark(verdict), verdict.text())
+}
+
+/// The value that an assignment gives something: `3/5`, `1 + 2*i`.
+pub fn assigned(coordinate: &Coordinate, notation: Notation) -> String {
+    let real = notation.number(&coordinate.value);
+    let Some(imaginary) = &coordinate.imaginary else {
+        return real;
+    };
+    let (sign, size) = match *imaginary < Rational::ZERO {
+        true => ("-", -imaginary.clone()),
+        false => ("+", imaginary.clone()),
+    };
+    format!("{real} {sign} {}*i", notation.number(&size))
 }
 
 /// What the author expects, in the words of a verdict.

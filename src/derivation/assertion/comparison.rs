@@ -1,12 +1,7 @@
 //! Comparisons of the first route: equal normal forms, leading terms, signs.
 
-use std::collections::BTreeSet;
-
 use crate::algebra::fraction::Fraction;
-use crate::algebra::generator::Generator;
-use crate::algebra::polynomial::Polynomial;
 use crate::algebra::sign::Signs;
-use crate::algebra::symbol::Symbol;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::{algebra, expansion};
@@ -17,51 +12,13 @@ use super::Outcome;
 /// How far beyond the stated order the leading term of a residual is looked for.
 const RESIDUAL_ORDERS: u32 = 3;
 
-/// Why different normal forms do not refute an equation.
-const DIRECTION: &str =
-    "the difference contains the angle of a vector, which may be one of the other angles";
-
 impl Elaborator {
     /// Whether all differences are 0.
     pub(super) fn compare(&self, differences: &[Fraction]) -> Outcome {
-        if differences.iter().all(Fraction::is_zero) {
-            return Outcome::True;
-        }
-        match self.rests_on_direction(differences) {
-            true => Outcome::Unresolved(DIRECTION),
+        match differences.iter().all(Fraction::is_zero) {
+            true => Outcome::True,
             false => Outcome::Different(None),
         }
-    }
-
-    /// Whether the angle of a vector occurs in elements: it may be one of the other angles.
-    fn rests_on_direction(&self, elements: &[Fraction]) -> bool {
-        let symbols = self.constituents(elements);
-        symbols
-            .into_iter()
-            .any(|symbol| match self.ring.generator(symbol) {
-                Generator::Direction { .. } => true,
-                Generator::FunctionValue { argument, .. } => {
-                    self.rests_on_direction(std::slice::from_ref(argument))
-                }
-                _ => false,
-            })
-    }
-
-    /// The symbols of elements, and those in the roots among them.
-    fn constituents(&self, elements: &[Fraction]) -> BTreeSet<Symbol> {
-        let sides = elements
-            .iter()
-            .flat_map(|element| [element.numerator(), element.denominator()]);
-        let mut open: Vec<Symbol> = sides.flat_map(Polynomial::symbols).collect();
-        let mut found = BTreeSet::new();
-        while let Some(symbol) = open.pop() {
-            if found.insert(symbol)
-                && let Generator::Root { radicand } = self.ring.generator(symbol)
-            {
-                open.extend(radicand.symbols());
-            }
-        }
-        found
     }
 
     /// Whether all differences begin beyond an order in small quantities, and the leading term.
@@ -89,12 +46,9 @@ impl Elaborator {
         }
         Ok(match leading {
             _ if differences.iter().all(Fraction::is_zero) => (Outcome::True, None),
-            Some((degree, _)) if degree <= stated => match self.rests_on_direction(differences) {
-                true => (Outcome::Unresolved(DIRECTION), None),
-                false => (Outcome::Different(Some(degree)), None),
-            },
-            Some((_, residual)) => (Outcome::TrueToOrder, Some(residual)),
-            None => (Outcome::TrueToOrder, None),
+            Some((degree, _)) if degree <= stated => (Outcome::Different(Some(degree)), None),
+            Some((degree, residual)) => (Outcome::TrueToOrder(Some(degree)), Some(residual)),
+            None => (Outcome::TrueToOrder(None), None),
         })
     }
 
@@ -125,28 +79,8 @@ impl Elaborator {
             || possible(|signs| signs.positive);
         Ok(match violated {
             false => Outcome::True,
-            true if self.is_transcendental(difference) => Outcome::Unresolved(
-                "the measure of an angle stands beside its sine or cosine, or is that of a vector, which \
-                 a rational point cannot follow",
-            ),
             true => Outcome::Open,
         })
-    }
-
-    /// Whether the measure of an angle stands beside a sine or cosine of it, or is that of a vector: a
-    /// point of the relations gives them values that do not belong together, which shows nothing about
-    /// an inequality.
-    fn is_transcendental(&self, element: &Fraction) -> bool {
-        let symbols = self.constituents(std::slice::from_ref(element));
-        symbols
-            .iter()
-            .any(|symbol| match self.ring.generator(*symbol) {
-                Generator::Cosine { angle } | Generator::Sine { angle } => angle
-                    .coefficients()
-                    .any(|(inside, _)| symbols.contains(&inside)),
-                Generator::Direction { .. } => true,
-                _ => false,
-            })
     }
 }
 

@@ -1,8 +1,11 @@
 //! Declarations: what statements make names mean, and what they assume.
 
 use crate::algebra::arithmetic::Arithmetic;
+use crate::algebra::error::AlgebraError;
 use crate::algebra::generator::Generator;
+use crate::algebra::number::Integer;
 use crate::algebra::sign::Signs;
+use crate::derivation::condition::Conditions;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::error::{algebra, quantity};
 use crate::derivation::quantity::common_unit;
@@ -141,9 +144,10 @@ impl Reader<'_> {
             StatementKind::Substitution { name, replacements } => {
                 let place = Place::Replacements(replacements.clone());
                 self.elaborator.substitution(&place, &statement.span)?;
+                // What each replacement needs is asked for where it is made.
                 let meaning = Meaning::Substitution {
                     replacements: replacements.clone(),
-                    conditions: std::mem::take(&mut self.elaborator.conditions),
+                    conditions: Conditions::default(),
                     sources: Vec::new(),
                 };
                 self.elaborator.scope.declare(name, meaning, None)
@@ -196,6 +200,13 @@ impl Reader<'_> {
         let left = self.elaborator.scalar(&relation.left)?;
         let right = self.elaborator.scalar(&relation.right)?;
         common_unit(&left.unit, &right.unit).map_err(|error| quantity(error, span))?;
+        let sides = [&relation.left, &relation.right];
+        for (side, quantity) in sides.into_iter().zip([&left, &right]) {
+            if !self.elaborator.ring.is_real(&quantity.value) {
+                return Err(algebra(AlgebraError::NotReal, &side.span)
+                    .with_label("complex numbers have no order"));
+            }
+        }
         let signs = match relation.comparison {
             Comparison::Less => Signs::POSITIVE,
             Comparison::LessOrEqual => Signs::NON_NEGATIVE,
@@ -228,12 +239,23 @@ impl Reader<'_> {
         if known.intersection(signs) == Signs::NONE {
             return Err(contradiction(known, span));
         }
-        if signs.negative {
-            ring.assumptions_mut()
-                .assume_polynomial(-&above, signs.opposite());
-        } else {
-            ring.assumptions_mut().assume_polynomial(above, signs);
+        let (above, signs) = match signs.negative {
+            true => (-&above, signs.opposite()),
+            false => (above, signs),
+        };
+        let assumptions = ring.assumptions_mut();
+        // Of a name, a sine or a function's value alone it serves wherever that occurs.
+        if let [(monomial, coefficient)] = above.terms()
+            && monomial.degree() == 1
+            && let Some((symbol, _)) = monomial.factors().next()
+        {
+            let of_symbol = match *coefficient > Integer::ZERO {
+                true => signs,
+                false => signs.opposite(),
+            };
+            assumptions.assume_symbol(symbol, of_symbol);
         }
+        assumptions.assume_polynomial(above, signs);
         self.assumptions.push(relation.clone());
         Ok(())
     }

@@ -1,5 +1,6 @@
 //! Calls: functions known only through their derivatives, and definitions with arguments.
 
+use crate::algebra::error::AlgebraError;
 use crate::algebra::number::Rational;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::quantity::{Quantity, Value, common_unit};
@@ -102,6 +103,10 @@ impl Elaborator {
             );
         };
         let unit = unit.clone();
+        if argument.is_none() && self.rests_on_twin(name) {
+            return Err(algebra(AlgebraError::NotReal, span)
+                .with_label("its argument is replaced by a complex number"));
+        }
         let argument = argument.unwrap_or_else(|| reference.clone());
         if common_unit(&argument.unit, &reference.unit).is_err() {
             let shown = |quantity: &Quantity| {

@@ -45,6 +45,13 @@ pub fn algebra(error: AlgebraError, span: &Span) -> Diagnostic {
             "a root of what may be negative, or of a square whose base may be",
             "state a sign with `parameter … > 0` or `assume … > 0`; for √−1 declare `imaginary i`",
         ),
+        AlgebraError::NotReal => (
+            DiagnosticKind::Unsupported,
+            "this is a complex number, and only real ones have a meaning here".to_string(),
+            "not real",
+            "roots, angles, functions and inequalities take real numbers: use the real part, or two real \
+             parameters for a complex one",
+        ),
         AlgebraError::NegativeRadicand => (
             DiagnosticKind::Unsupported,
             "what stands under this root is negative".to_string(),

@@ -1,6 +1,6 @@
 //! Replacements, as they stand behind `at`.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::error::AlgebraError;
 use crate::algebra::fraction::Fraction;
@@ -8,11 +8,12 @@ use crate::algebra::number::Integer;
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::sign::Signs;
 use crate::algebra::substitution::Substitution;
+use crate::algebra::symbol::Symbol;
 use crate::derivation::condition::Conditions;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind, nearest};
 use crate::derivation::notation::Notation;
 use crate::derivation::quantity::{Quantity, QuantityError, Value, common_unit};
-use crate::derivation::scope::{Meaning, Scope};
+use crate::derivation::scope::{Entry, Meaning, Scope};
 use crate::derivation::syntax::{Expression, Name, Place, Replacement, Span};
 use crate::derivation::unit::Unit;
 
@@ -20,12 +21,20 @@ use super::Elaborator;
 use super::error::{algebra, quantity as quantity_error};
 use super::limit::check_replacements;
 
+/// What replaces a symbol, and what must hold for it to exist.
+#[derive(Clone, Debug)]
+pub(super) struct Image {
+    value: Fraction,
+    conditions: Conditions,
+}
+
+/// What replaces what.
+type Images = BTreeMap<Symbol, Image>;
+
 /// What a named substitution came to.
 #[derive(Clone, Debug)]
 pub(super) struct KnownSubstitution {
-    images: Substitution,
-    /// What must hold for the images to exist.
-    conditions: Conditions,
+    images: Images,
     /// Of how many polynomials something was assumed then.
     assumed: usize,
 }
@@ -38,8 +47,26 @@ impl Elaborator {
         place: &Place,
         span: &Span,
     ) -> Result<Value, Diagnostic> {
-        let (value, needed) = self.value_and_conditions(inner)?;
-        let substitution = self.substitution(place, span)?;
+        let (mut value, mut needed) = self.value_and_conditions(inner)?;
+        let mut images = self.images_of(place, span)?;
+        // What does not occur need not exist.
+        let mentioned = self.mentioned(inner);
+        images.retain(|symbol, _| self.is_mentioned(*symbol, &mentioned));
+        let twins = self.twins(images.iter().map(|(symbol, image)| (*symbol, &image.value)), span)?;
+        if !twins.is_empty() {
+            // Nothing is kept that was found for real values.
+            (value, needed) =
+                self.as_complex(&twins, |elaborator| elaborator.value_and_conditions(inner))?;
+            for (symbol, twin) in twins {
+                let image = images.remove(&symbol);
+                images.extend(image.map(|image| (twin, image)));
+            }
+        }
+        let mut substitution = Substitution::new();
+        for (symbol, image) in images {
+            self.conditions.extend(&image.conditions);
+            substitution.insert(symbol, image.value);
+        }
         self.require_after(&needed, &substitution, span)?;
         value.try_map(|entry| {
             let image = self.ring.substitute(&entry.value, &substitution);
@@ -48,6 +75,26 @@ impl Elaborator {
                 unit: entry.unit.clone(),
             })
         })
+    }
+
+    /// The ASCII names that an expression mentions, through other names; nothing where it stands within a
+    /// call and mentions an argument of that, which may rest on any name.
+    fn mentioned(&self, expression: &Expression) -> Option<BTreeSet<String>> {
+        let (mut names, mut is_known) = (BTreeSet::new(), true);
+        expression.visit_names(&mut |name| {
+            let arguments = self.arguments.last();
+            is_known &= !arguments.is_some_and(|known| known.contains_key(&name.ascii));
+            let entry = self.scope.get(name).into_iter();
+            names.extend(entry.flat_map(Entry::rests_on).map(str::to_owned));
+        });
+        is_known.then_some(names)
+    }
+
+    fn is_mentioned(&self, symbol: Symbol, mentioned: &Option<BTreeSet<String>>) -> bool {
+        let (Some(mentioned), Some(name)) = (mentioned, self.ring.generator(symbol).name()) else {
+            return true;
+        };
+        mentioned.contains(name)
     }
 
     /// A value and the conditions that it needs; those noted before stay as they are.
@@ -74,21 +121,29 @@ impl Elaborator {
         Ok(())
     }
 
-    /// What a place replaces by what.
+    /// What a place replaces by what; what must hold for it to exist is noted.
     pub fn substitution(&mut self, place: &Place, span: &Span) -> Result<Substitution, Diagnostic> {
+        let images = self.images_of(place, span)?;
+        Ok(images
+            .into_iter()
+            .map(|(symbol, image)| {
+                self.conditions.extend(&image.conditions);
+                (symbol, image.value)
+            })
+            .collect())
+    }
+
+    fn images_of(&mut self, place: &Place, span: &Span) -> Result<Images, Diagnostic> {
         let (name, here) = match place {
             Place::Replacements(replacements) => return self.read_replacements(replacements, span),
             Place::Named(name) => (&name.value, &name.span),
         };
-        let replacements = match self.scope.get(name).map(|entry| &entry.meaning) {
+        let (replacements, conditions) = match self.scope.get(name).map(|entry| &entry.meaning) {
             Some(Meaning::Substitution {
                 replacements,
                 conditions,
                 ..
-            }) => {
-                self.conditions.extend(conditions);
-                replacements.clone()
-            }
+            }) => (replacements.clone(), conditions.clone()),
             Some(_) => {
                 let message = format!("`{name}` is not a substitution");
                 return Err(
@@ -101,27 +156,26 @@ impl Elaborator {
             }
             None => return Err(unknown(name, &self.scope, here)),
         };
-        // It means the same until more is assumed.
+        // It means the same until more is assumed, or a name is read as a complex one.
         let assumed = self.ring.assumptions().polynomials().len();
         let known = self.substitutions.get(&name.ascii);
-        if let Some(known) = known.filter(|known| known.assumed == assumed) {
-            self.conditions.extend(&known.conditions);
+        let known = known.filter(|known| known.assumed == assumed && self.twins.is_empty());
+        if let Some(known) = known {
             return Ok(known.images.clone());
         }
-        let outer = std::mem::take(&mut self.conditions);
         // The arguments of a call mean nothing where the substitution was declared.
         self.arguments.push(BTreeMap::new());
         let images = self.read_replacements(&replacements, span);
         self.arguments.pop();
-        let conditions = std::mem::replace(&mut self.conditions, outer);
-        self.conditions.extend(&conditions);
-        let known = KnownSubstitution {
-            images: images?,
-            conditions,
-            assumed,
-        };
-        let images = known.images.clone();
-        self.substitutions.insert(name.ascii.clone(), known);
+        let mut images = images?;
+        images.values_mut().for_each(|image| image.conditions.extend(&conditions));
+        if self.twins.is_empty() {
+            let known = KnownSubstitution {
+                images: images.clone(),
+                assumed,
+            };
+            self.substitutions.insert(name.ascii.clone(), known);
+        }
         Ok(images)
     }
 
@@ -135,10 +189,7 @@ impl Elaborator {
         values: &[Replacement],
         span: &Span,
     ) -> Result<Substitution, Diagnostic> {
-        let outer = std::mem::take(&mut self.conditions);
-        let images = self.images(values);
-        self.conditions = outer;
-        let images = images?;
+        let images = values_of(&self.images(values)?);
         self.admit_images(&images, span)?;
         Ok(images)
     }
@@ -161,45 +212,56 @@ impl Elaborator {
         &mut self,
         replacements: &[Replacement],
         span: &Span,
-    ) -> Result<Substitution, Diagnostic> {
+    ) -> Result<Images, Diagnostic> {
         check_replacements(replacements.len(), span)?;
         let images = self.images(replacements)?;
+        let values = values_of(&images);
         let place = replacements
             .iter()
             .find(|replacement| !replacement.value.span.is_empty());
         let place = place.map_or(span, |replacement| &replacement.value.span);
         match self.trusts_replacements {
-            true => self.admit_images(&images, place)?,
-            false => self.respect_assumptions(&images, |signs| signs, place)?,
+            true => self.admit_images(&values, place)?,
+            false => self.respect_assumptions(&values, |signs| signs, place)?,
         }
         Ok(images)
     }
 
     /// The symbols that are replaced, and by what.
-    fn images(&mut self, replacements: &[Replacement]) -> Result<Substitution, Diagnostic> {
-        let mut substitution = Substitution::new();
-        for Replacement { target, value } in replacements {
-            let quantity = self.scalar(target)?;
-            let symbol = self.symbol(&quantity, &target.span)?;
-            let image = self.scalar(value)?;
-            // A bare number is read in the SI unit of what it replaces.
-            let bare = image.value.as_constant().is_some() && image.unit == Some(Unit::one());
-            if !bare {
-                common_unit(&quantity.unit, &image.unit)
-                    .map_err(|error| unlike(error, target, value))?;
-            }
-            if substitution.insert(symbol, image.value).is_some() {
+    fn images(&mut self, replacements: &[Replacement]) -> Result<Images, Diagnostic> {
+        let mut images = Images::new();
+        for replacement in replacements {
+            let outer = std::mem::take(&mut self.conditions);
+            let image = self.image(replacement);
+            let conditions = std::mem::replace(&mut self.conditions, outer);
+            let (symbol, value) = image?;
+            if images.insert(symbol, Image { value, conditions }).is_some() {
                 let message = "this is replaced twice";
                 return Err(Diagnostic::new(
                     DiagnosticKind::Duplicate,
-                    target.span.clone(),
+                    replacement.target.span.clone(),
                     message,
                 )
                 .with_label("replaced again")
                 .with_help("replace it once; replacements in one `at` are carried out together"));
             }
         }
-        Ok(substitution)
+        Ok(images)
+    }
+
+    /// A symbol that is replaced, and by what.
+    fn image(&mut self, replacement: &Replacement) -> Result<(Symbol, Fraction), Diagnostic> {
+        let Replacement { target, value } = replacement;
+        let quantity = self.scalar(target)?;
+        let symbol = self.symbol(&quantity, &target.span)?;
+        let image = self.scalar(value)?;
+        // A bare number is read in the SI unit of what it replaces.
+        let bare = image.value.as_constant().is_some() && image.unit == Some(Unit::one());
+        if !bare {
+            common_unit(&quantity.unit, &image.unit)
+                .map_err(|error| unlike(error, target, value))?;
+        }
+        Ok((symbol, image.value))
     }
 
     /// Sees that what is assumed of symbols remains true, as far as wanted, of what replaces them: roots
@@ -271,6 +333,14 @@ impl Elaborator {
         let sign = signs.to_string();
         Ok(format!("{above} {} {below}", sign.trim_end_matches(" 0")))
     }
+}
+
+/// What replaces what, without conditions.
+fn values_of(images: &Images) -> Substitution {
+    let values = images.iter();
+    values
+        .map(|(symbol, image)| (*symbol, image.value.clone()))
+        .collect()
 }
 
 /// What replaces something has another unit.

@@ -1,17 +1,17 @@
-//! The second route for a matching: its residuals at points.
+//! The second route for a matching: its residuals at assignments.
 
 use std::collections::BTreeMap;
 
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::derivation::evaluation::evaluator::{Evaluator, Failure};
-use crate::derivation::evaluation::number::Number;
 use crate::derivation::matching::Matched;
 use crate::derivation::syntax::{Expression, Node, Place, Span};
+use crate::points::Failure;
+use crate::points::unfolding::Unfolding;
 
-use super::Checked;
+use super::{Checked, POINTS, fault};
 
-/// What is evaluated at points to check a matching: exact − assumed against the residual, power by
-/// power, with the solution put in.
+/// What is evaluated to check a matching: exact − assumed against the residual, power by power, with the
+/// solution put in.
 pub struct MatchingCheck {
     exact: Expression,
     assumed: Expression,
@@ -26,32 +26,46 @@ impl MatchingCheck {
         let (exact, assumed) = matched.polynomials.clone();
         let place = Place::named(matched.name.clone());
         let assumed = Expression::made(Node::At(Box::new(assumed), place));
-        let residuals = matched
-            .table
-            .iter()
-            .map(|row| (row.power, row.residual.clone()));
+        let rows = matched.table.iter();
         MatchingCheck {
             exact,
             assumed,
             variable: matched.variable.ascii.clone(),
-            residuals: residuals.collect(),
+            residuals: rows.map(|row| (row.power, row.residual.clone())).collect(),
             span: span.clone(),
         }
     }
 
-    /// Compares the residuals at a point.
-    pub fn check<'a>(&'a self, evaluator: &mut Evaluator<'a>) -> Checked {
-        let power = match self.differs(evaluator) {
-            Ok(None) => return Ok(Ok(())),
-            Ok(Some(power)) => power,
-            Err(reason) => return Ok(Err(reason)),
-        };
-        let message = "the matching fails at a random point";
-        Err(
-            Diagnostic::new(DiagnosticKind::Disagreement, self.span.clone(), message)
-                .with_label(format!("at the power {power}"))
-                .with_help("this is a mistake of sextic, not of the document: please report it"),
-        )
+    /// Compares the residuals at random assignments.
+    pub fn check<'a>(&'a self, unfolding: &mut Unfolding<'a>) -> Result<Checked, Diagnostic> {
+        let mut checked = Ok(POINTS);
+        for (power, residual) in &self.residuals {
+            match self.agrees(*power, residual, unfolding) {
+                Ok(true) => {}
+                Ok(false) => {
+                    let message = "the matching fails at a random assignment";
+                    let label = format!("at the power {power}");
+                    return Err(fault(&self.span, message).with_label(label));
+                }
+                Err(failure) => checked = Err(failure.to_string()),
+            }
+        }
+        Ok(checked)
+    }
+
+    /// Whether the residual of a power is what it was found to be.
+    fn agrees<'a>(
+        &'a self,
+        power: u32,
+        residual: &'a Expression,
+        unfolding: &mut Unfolding<'a>,
+    ) -> Result<bool, Failure> {
+        let exact = unfolding.coefficient(&self.exact, &self.variable, power)?;
+        let assumed = unfolding.coefficient(&self.assumed, &self.variable, power)?;
+        let residual = unfolding.scalar(residual)?;
+        let sheet = &mut unfolding.sheet;
+        let difference = sheet.graph.difference(exact, assumed)?;
+        sheet.is_same(difference, residual)
     }
 
     /// What the points come to: an error where there are too few.
@@ -59,25 +73,11 @@ impl MatchingCheck {
     /// # Errors
     ///
     /// A [`Diagnostic`] with the reason.
-    pub fn conclude(&self, points: Result<usize, Failure>) -> Result<(), Diagnostic> {
-        points.map(drop).map_err(|reason| {
+    pub fn conclude(&self, checked: Result<Checked, Diagnostic>) -> Result<(), Diagnostic> {
+        checked?.map(drop).map_err(|reason| {
             let message = "this matching cannot be checked at a point";
             Diagnostic::new(DiagnosticKind::Unsupported, self.span.clone(), message)
                 .with_label(reason)
         })
-    }
-
-    /// The first power at which the residual is not what it was found to be.
-    fn differs<'a>(&'a self, evaluator: &mut Evaluator<'a>) -> Result<Option<u32>, Failure> {
-        let exact = evaluator.coefficients(&self.exact, &self.variable)?;
-        let assumed = evaluator.coefficients(&self.assumed, &self.variable)?;
-        for (power, residual) in &self.residuals {
-            let of = |side: &[Number]| side.get(*power as usize).cloned().unwrap_or_default();
-            let difference = of(&exact).difference(&of(&assumed));
-            if evaluator.evaluate(residual)?[0][0] != difference {
-                return Ok(Some(*power));
-            }
-        }
-        Ok(None)
     }
 }

@@ -1,67 +1,185 @@
-//! Both sides of an assertion at a point.
+//! Both sides of an assertion, and its conditions, as nodes.
 
-use crate::derivation::assertion::Assertion;
-use crate::derivation::evaluation::evaluator::{Evaluator, Failure};
-use crate::derivation::evaluation::number::Number;
-use crate::derivation::evaluation::number::extension::Extension;
-use crate::derivation::syntax::{Comparison, Order, Relation};
+use std::cmp::Ordering;
 
-/// The numbers that a side is made of, row by row.
-pub type Numbers = Vec<Vec<Number>>;
+use crate::derivation::assertion::{Finding, Outcome};
+use crate::derivation::condition::Requirement;
+use crate::derivation::syntax::{Comparison, Order};
+use crate::points::evaluation::Evaluation;
+use crate::points::graph::{Graph, NodeId};
+use crate::points::number::Number;
+use crate::points::unfolding::Unfolding;
+use crate::points::{Failure, Table};
 
-/// Both sides at a point: as they are, or part by part for an approximation.
-pub fn sides<'a>(
-    evaluator: &mut Evaluator<'a>,
-    assertion: &'a Assertion,
-    order: Option<&Order>,
-) -> Result<Vec<(Numbers, Numbers)>, Failure> {
-    let Relation { left, right, .. } = &assertion.relation;
-    match order {
-        None => Ok(vec![(
-            evaluator.evaluate(left)?,
-            evaluator.evaluate(right)?,
-        )]),
-        Some(order) => {
-            let small = small_names(order);
-            let left = evaluator.parts(left, &small, order.order.value)?;
-            let right = evaluator.parts(right, &small, order.order.value)?;
-            Ok(left.into_iter().zip(right).collect())
+/// How many binary digits of two sides must agree.
+const DIGITS: i64 = 64;
+
+/// What two sides are at an assignment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Agreement {
+    /// They stand in the relation, as far as is known.
+    Agrees,
+    /// They certainly do not.
+    Differs,
+    /// A condition is not met, or not known to be.
+    OutsideOfConditions,
+}
+
+/// Both sides of an assertion: as they are, or the parts of each degree of an approximation.
+pub struct Sides {
+    /// Left and right, by degree.
+    pub pairs: Vec<(Table, Table)>,
+    /// Of an approximation, the degree behind its order at which the sides differ.
+    pub beyond: Option<usize>,
+    conditions: Vec<(Requirement, NodeId)>,
+}
+
+/// Where two sides differ.
+pub struct Difference {
+    /// The row and column of the entry, counted from 0.
+    pub place: (usize, usize),
+    /// Both entries.
+    pub entries: [Number; 2],
+}
+
+impl Sides {
+    /// The sides of an assertion; those of an approximation to the degree that is asked about.
+    pub fn of<'a>(finding: &'a Finding, unfolding: &mut Unfolding<'a>) -> Result<Self, Failure> {
+        let relation = &finding.assertion.relation;
+        let beyond = match finding.outcome {
+            Outcome::TrueToOrder(beyond) => beyond.map(|degree| degree as usize),
+            _ => None,
+        };
+        let pairs = match &finding.assertion.order {
+            Some(order) => {
+                let small = small_names(order);
+                let highest = beyond.unwrap_or(0).max(order.order.value as usize) as u32;
+                let left = unfolding.parts(&relation.left, &small, highest)?;
+                let right = unfolding.parts(&relation.right, &small, highest)?;
+                left.into_iter().zip(right).collect()
+            }
+            None => vec![(unfolding.table(&relation.left)?, unfolding.table(&relation.right)?)],
+        };
+        let mut conditions = Vec::new();
+        for condition in &finding.conditions {
+            let node = match &finding.assertion.order {
+                None => unfolding.scalar(&condition.expression)?,
+                Some(order) => {
+                    let parts = unfolding.parts(&condition.expression, &small_names(order), 0)?;
+                    parts[0][0][0]
+                }
+            };
+            conditions.push((condition.requirement, node));
         }
+        Ok(Sides {
+            pairs,
+            beyond,
+            conditions,
+        })
+    }
+
+    /// The nodes of the sides of a degree, of both.
+    pub fn nodes(&self, degree: usize) -> Vec<NodeId> {
+        let (left, right) = &self.pairs[degree];
+        left.iter().chain(right).flatten().copied().collect()
+    }
+
+    /// Whether the sides stand in their relation at an assignment, up to the order of an approximation.
+    pub fn at(
+        &self,
+        evaluation: &mut Evaluation,
+        graph: &Graph,
+        comparison: Comparison,
+    ) -> Result<Agreement, Failure> {
+        if !self.meets_conditions(evaluation, graph)? {
+            return Ok(Agreement::OutsideOfConditions);
+        }
+        for degree in 0..self.beyond.unwrap_or(self.pairs.len()) {
+            if self.difference(degree, evaluation, graph, comparison, true)?.is_some() {
+                return Ok(Agreement::Differs);
+            }
+        }
+        Ok(Agreement::Agrees)
+    }
+
+    /// Whether all conditions are known to be met.
+    pub fn meets_conditions(
+        &self,
+        evaluation: &mut Evaluation,
+        graph: &Graph,
+    ) -> Result<bool, Failure> {
+        for (requirement, node) in &self.conditions {
+            let value = evaluation.value(graph, *node)?;
+            let is_met = match requirement {
+                Requirement::NonZero => value.differs_from_zero(),
+                Requirement::Positive => {
+                    let sign = value.as_real().and_then(|real| real.sign());
+                    sign == Some(Ordering::Greater)
+                }
+            };
+            if !is_met {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// The first entry at which the sides certainly do not stand in the relation.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] where a side has no value, or is not known well enough if all entries must be.
+    pub fn difference(
+        &self,
+        degree: usize,
+        evaluation: &mut Evaluation,
+        graph: &Graph,
+        comparison: Comparison,
+        must_be_known: bool,
+    ) -> Result<Option<Difference>, Failure> {
+        let (left, right) = &self.pairs[degree];
+        let mut found = None;
+        for (row, (a, b)) in left.iter().zip(right).enumerate() {
+            for (column, (a, b)) in a.iter().zip(b).enumerate() {
+                let entries = [evaluation.value(graph, *a)?, evaluation.value(graph, *b)?];
+                let stands = stand(evaluation, &entries, comparison, must_be_known)?;
+                if !stands && found.is_none() {
+                    found = Some(Difference {
+                        place: (row, column),
+                        entries,
+                    });
+                }
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// Whether two numbers stand in a relation, as far as is known.
+fn stand(
+    evaluation: &Evaluation,
+    [a, b]: &[Number; 2],
+    comparison: Comparison,
+    must_be_known: bool,
+) -> Result<bool, Failure> {
+    if comparison == Comparison::Equal {
+        let is_narrow = || a.is_narrow(a, DIGITS) && b.is_narrow(b, DIGITS);
+        return match a.may_be(b) {
+            true if must_be_known && !is_narrow() => Err(Failure::UnknownSign),
+            may_be => Ok(may_be),
+        };
+    }
+    if a.as_real().is_none() || b.as_real().is_none() {
+        return Err(Failure::NotReal);
+    }
+    match evaluation.compared(a, b) {
+        Some(order) => Ok(comparison.holds(order)),
+        None => Err(Failure::UnknownSign),
     }
 }
 
 /// The ASCII names of small quantities.
-pub fn small_names(order: &Order) -> Vec<&str> {
+fn small_names(order: &Order) -> Vec<&str> {
     let names = order.small.iter();
     names.map(|name| name.value.ascii.as_str()).collect()
-}
-
-/// Whether two tables stand in a relation; nothing where that cannot be told.
-pub fn compare(
-    left: &Numbers,
-    right: &Numbers,
-    comparison: Comparison,
-    extension: &Extension,
-) -> Option<bool> {
-    if comparison == Comparison::Equal {
-        return Some(first_difference(left, right).is_none());
-    }
-    let [[a]] = [left.first()?.as_slice()] else {
-        return None;
-    };
-    let [[b]] = [right.first()?.as_slice()] else {
-        return None;
-    };
-    let order = extension.order(&a.difference(b))?;
-    Some(comparison.holds(order))
-}
-
-/// The row and column, counted from 0, of the first entry in which two tables differ.
-pub fn first_difference(left: &Numbers, right: &Numbers) -> Option<(usize, usize)> {
-    let mut places =
-        (0..left.len()).flat_map(|row| (0..left[row].len()).map(move |column| (row, column)));
-    places.find(|(row, column)| {
-        let other = right.get(*row).and_then(|line| line.get(*column));
-        other.is_none_or(|other| !left[*row][*column].difference(other).is_zero())
-    })
 }

@@ -126,10 +126,10 @@ fn claim_object(claim: &Claim) -> ClaimObject<'_> {
 
 fn witness_object(witness: &Witness) -> WitnessObject<'_> {
     let point = witness.point.iter();
-    let point = point.map(|(name, value)| {
+    let point = point.map(|one| {
         (
-            Notation::Ascii.expression(name),
-            Notation::Ascii.number(value),
+            Notation::Ascii.expression(&one.name),
+            words::assigned(one, Notation::Ascii),
         )
     });
     WitnessObject {

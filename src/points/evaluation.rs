@@ -1,0 +1,229 @@
+//! A graph at an assignment.
+
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+
+use crate::algebra::number::Rational;
+
+use super::Failure;
+use super::assignment::{Assigned, Assignment};
+use super::describe::describe;
+use super::enclosure::Enclosure;
+use super::graph::{Graph, Node, NodeId};
+use super::number::Number;
+use super::real::{Real, Reals};
+
+/// How many values are kept at most before they are forgotten.
+const MOST_VALUES: usize = 50_000;
+
+/// The values of the nodes of a graph at an assignment.
+#[derive(Clone, Debug)]
+pub struct Evaluation {
+    /// What is free.
+    pub assignment: Assignment,
+    reals: Reals,
+    known: Vec<Option<Box<Result<Number, Failure>>>>,
+    count: usize,
+    /// How many operations may still be done.
+    pub steps: usize,
+}
+
+impl Evaluation {
+    /// An evaluation that knows no values yet.
+    pub fn new(assignment: Assignment, reals: Reals) -> Self {
+        Evaluation {
+            assignment,
+            reals,
+            known: Vec::new(),
+            count: 0,
+            steps: usize::MAX,
+        }
+    }
+
+    /// Forgets values where there are many.
+    pub fn forget(&mut self) {
+        if self.count > MOST_VALUES {
+            self.known = Vec::new();
+            self.count = 0;
+        }
+    }
+
+    /// The value of a node.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] where it has none at this assignment, or where that cannot be told.
+    pub fn value(&mut self, graph: &Graph, id: NodeId) -> Result<Number, Failure> {
+        self.known.resize(graph.len().max(self.known.len()), None);
+        let mut open = vec![id];
+        while let Some(top) = open.last().copied() {
+            if self.known[Graph::place(top)].is_some() {
+                open.pop();
+                continue;
+            }
+            let before = open.len();
+            let mut push = |part| {
+                if self.known[Graph::place(part)].is_none() {
+                    open.push(part);
+                }
+            };
+            graph.node(top).visit(&mut push);
+            if let Node::Function { reference, .. } = graph.node(top) {
+                push(*reference);
+            }
+            if open.len() == before {
+                self.steps = self.steps.checked_sub(1).ok_or(Failure::TooLarge)?;
+                let value = self.compute(graph, top).and_then(moderate);
+                self.known[Graph::place(top)] = Some(Box::new(value));
+                self.count += 1;
+                open.pop();
+            }
+        }
+        self.of(id)
+    }
+
+    /// How two numbers compare; nothing where they are not real, or where that is not known.
+    pub fn compared(&self, a: &Number, b: &Number) -> Option<Ordering> {
+        let (a, b) = (a.as_real()?, b.as_real()?);
+        self.reals.sum(a, &self.reals.negative(b)).sign()
+    }
+
+    /// The value of a node that is known.
+    fn of(&self, id: NodeId) -> Result<Number, Failure> {
+        match &self.known[Graph::place(id)] {
+            Some(value) => (**value).clone(),
+            None => Err(Failure::Unsupported),
+        }
+    }
+
+    /// The real value of a node that is known.
+    fn real(&self, id: NodeId) -> Result<Real, Failure> {
+        self.of(id)?.as_real().cloned().ok_or(Failure::NotReal)
+    }
+
+    fn compute(&mut self, graph: &Graph, id: NodeId) -> Result<Number, Failure> {
+        let reals = self.reals;
+        match graph.node(id) {
+            Node::Number(number) => Ok(reals.shortened(number.clone()).into()),
+            Node::ImaginaryUnit => Ok(Number::new(
+                Rational::ZERO.into(),
+                Rational::ONE.into(),
+            )),
+            Node::Variable(id) => self.assignment.value(graph.variable(*id)),
+            Node::Cosine(id) => Ok(self.assignment.circle(graph.variable(*id)).0.into()),
+            Node::Sine(id) => Ok(self.assignment.circle(graph.variable(*id)).1.into()),
+            Node::Sum(a, b) => Ok(reals.total(&self.of(*a)?, &self.of(*b)?)),
+            Node::Product(a, b) => Ok(reals.times(&self.of(*a)?, &self.of(*b)?)),
+            Node::Quotient(a, b) => {
+                let below = self.of(*b)?;
+                let inverse = reals.inverse(&below).ok_or(match below.is_zero() {
+                    true => Failure::DivisionByZero,
+                    false => Failure::UnknownSign,
+                })?;
+                Ok(reals.times(&self.of(*a)?, &inverse))
+            }
+            Node::Power(a, exponent) => Ok(reals.raised(&self.of(*a)?, *exponent)),
+            Node::Root(a) => {
+                let square = self.real(*a)?;
+                let root = reals.square_root(&square).ok_or(match square.sign() {
+                    Some(_) => Failure::NegativeRadicand,
+                    None => Failure::UnknownSign,
+                })?;
+                Ok(root.into())
+            }
+            Node::Direction { x, y, parallel } => self.direction(*x, *y, *parallel),
+            Node::Function { .. } => self.function(graph, id),
+            Node::Guarded { value, needed } => {
+                self.of(*needed)?;
+                self.of(*value)
+            }
+        }
+    }
+
+    /// The angle of a vector.
+    fn direction(
+        &self,
+        x: NodeId,
+        y: NodeId,
+        parallel: Option<[NodeId; 3]>,
+    ) -> Result<Number, Failure> {
+        let (x, y) = (self.real(x)?, self.real(y)?);
+        if x.is_zero() && y.is_zero() {
+            return Err(Failure::ZeroVector);
+        }
+        if let Some([angle, cosine, sine]) = parallel {
+            let (cosine, sine) = (self.real(cosine)?, self.real(sine)?);
+            let product = |a: &Real, b: &Real| self.reals.product(a, b);
+            let along = self.reals.sum(&product(&x, &cosine), &product(&y, &sine));
+            if along.sign().ok_or(Failure::UnknownSign)?.is_gt() {
+                return self.of(angle);
+            }
+        }
+        if y.is_zero() && x.sign().is_some_and(|sign| sign.is_gt()) {
+            return Ok(Real::Exact(Rational::ZERO).into());
+        }
+        let angle = Enclosure::direction(&x.enclosure(), &y.enclosure());
+        let angle = angle.ok_or(Failure::UnknownSign)?;
+        Ok(Real::Enclosed(angle).into())
+    }
+
+    fn function(&mut self, graph: &Graph, id: NodeId) -> Result<Number, Failure> {
+        let Node::Function {
+            function,
+            order,
+            argument,
+            reference,
+        } = graph.node(id)
+        else {
+            return Err(Failure::Unsupported);
+        };
+        let value = self.real(*argument)?;
+        let bare = self.real(*reference).ok();
+        let label = || match bare.is_some_and(|bare| bare.may_be(&value)) {
+            true => None,
+            false => Some(describe(graph, *argument).unwrap_or(value.display())),
+        };
+        let name = (*function, graph.function_name(*function));
+        let value = self.assignment.function(name, *order, &value, label)?;
+        Ok(value.into())
+    }
+
+    /// What the assignment gives the variables and functions that some nodes rest on.
+    pub fn shown(&mut self, graph: &Graph, roots: &[NodeId]) -> Vec<Assigned> {
+        let mut shown = BTreeMap::new();
+        for id in graph.below(roots) {
+            let found = match graph.node(id) {
+                Node::Variable(id) | Node::Cosine(id) | Node::Sine(id) => {
+                    self.assignment.shown(graph.variable(*id))
+                }
+                Node::Function {
+                    function,
+                    order,
+                    argument,
+                    ..
+                } => {
+                    let name = (*function, graph.function_name(*function));
+                    let argument = self.value(graph, *argument).ok();
+                    let argument = argument.and_then(|argument| argument.as_real().cloned());
+                    let of = |argument| self.assignment.shown_function(name, *order, &argument);
+                    argument.and_then(of).into_iter().collect()
+                }
+                _ => Vec::new(),
+            };
+            shown.extend(found.into_iter().map(|one| (one.name.clone(), one)));
+        }
+        shown.into_values().collect()
+    }
+}
+
+/// The number, if it is neither too large nor too small to be worked with.
+fn moderate(number: Number) -> Result<Number, Failure> {
+    let is_extreme = |part: &Real| match part {
+        Real::Enclosed(enclosure) => enclosure.is_extreme(),
+        Real::Exact(_) => false,
+    };
+    match is_extreme(&number.real) || number.imaginary.as_ref().is_some_and(is_extreme) {
+        true => Err(Failure::TooLarge),
+        false => Ok(number),
+    }
+}

@@ -1,0 +1,27 @@
+//! What names mean to this route: expressions, and never an element of the ring.
+
+use std::collections::BTreeMap;
+
+use crate::derivation::syntax::{Expression, Name, Replacement};
+
+use super::graph::Kind;
+
+/// What a name means.
+#[derive(Clone, Copy, Debug)]
+pub enum Meaning<'a> {
+    /// A variable.
+    Variable(Kind),
+    /// i
+    ImaginaryUnit,
+    /// A function, and where its bare name is taken.
+    Function(&'a Expression),
+    /// A definition.
+    Definition(&'a Expression),
+    /// A definition with arguments.
+    Template(&'a [Name], &'a Expression),
+    /// Replacements under a name.
+    Substitution(&'a [Replacement]),
+}
+
+/// What the names of a document mean, by ASCII name.
+pub type Meanings<'a> = BTreeMap<&'a str, Meaning<'a>>;

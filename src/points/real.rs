@@ -1,0 +1,166 @@
+//! Real numbers: exact fractions as long as they are short, else enclosures.
+
+use std::cmp::Ordering;
+
+use dashu_base::{BitTest, SquareRoot, UnsignedAbs};
+
+use crate::algebra::number::{Integer, Rational};
+
+use super::enclosure::Enclosure;
+
+/// A real number.
+#[derive(Clone, Debug)]
+pub enum Real {
+    /// A fraction.
+    Exact(Rational),
+    /// A number that is known within bounds.
+    Enclosed(Enclosure),
+}
+
+impl From<Rational> for Real {
+    fn from(number: Rational) -> Self {
+        Real::Exact(number)
+    }
+}
+
+impl Real {
+    /// Bounds of the number.
+    pub fn enclosure(&self) -> Enclosure {
+        match self {
+            Real::Exact(number) => Enclosure::from(number),
+            Real::Enclosed(enclosure) => enclosure.clone(),
+        }
+    }
+
+    /// The number, if it is known exactly.
+    pub fn as_rational(&self) -> Option<&Rational> {
+        match self {
+            Real::Exact(number) => Some(number),
+            Real::Enclosed(_) => None,
+        }
+    }
+
+    /// Whether it is known to be 0.
+    pub fn is_zero(&self) -> bool {
+        self.as_rational().is_some_and(Rational::is_zero)
+    }
+
+    /// How it compares with 0; nothing where that is not known.
+    pub fn sign(&self) -> Option<Ordering> {
+        match self {
+            Real::Exact(number) => Some(number.cmp(&Rational::ZERO)),
+            Real::Enclosed(enclosure) if enclosure.is_positive() => Some(Ordering::Greater),
+            Real::Enclosed(enclosure) if enclosure.is_negative() => Some(Ordering::Less),
+            Real::Enclosed(_) => None,
+        }
+    }
+
+    /// Whether the two may be one number.
+    pub fn may_be(&self, other: &Real) -> bool {
+        match (self, other) {
+            (Real::Exact(a), Real::Exact(b)) => a == b,
+            (a, b) => a.enclosure().meets(&b.enclosure()),
+        }
+    }
+
+    /// As a person reads it: a fraction, or the digits that are known.
+    pub fn display(&self) -> String {
+        const DIGITS_SHOWN: usize = 20;
+        match self {
+            Real::Exact(number) => number.to_string(),
+            Real::Enclosed(enclosure) => enclosure.display(DIGITS_SHOWN),
+        }
+    }
+}
+
+/// Arithmetic of real numbers, which keeps fractions as long as they are not longer than so many bits.
+#[derive(Clone, Copy, Debug)]
+pub struct Reals {
+    /// The most bits of numerator and denominator of an exact number.
+    pub longest: usize,
+}
+
+impl Reals {
+    /// The exact number, or bounds of it where it is too long.
+    pub fn shortened(self, number: Rational) -> Real {
+        let bits = number.numerator().bit_len() + number.denominator().bit_len();
+        match bits <= self.longest {
+            true => Real::Exact(number),
+            false => Real::Enclosed(Enclosure::from(&number)),
+        }
+    }
+
+    /// −a
+    pub fn negative(self, a: &Real) -> Real {
+        match a {
+            Real::Exact(a) => Real::Exact(-a.clone()),
+            Real::Enclosed(a) => Real::Enclosed(a.negative()),
+        }
+    }
+
+    /// a + b
+    pub fn sum(self, a: &Real, b: &Real) -> Real {
+        match (a, b) {
+            (Real::Exact(a), Real::Exact(b)) => self.shortened(a + b),
+            (a, b) if b.is_zero() => a.clone(),
+            (a, b) if a.is_zero() => b.clone(),
+            (a, b) => Real::Enclosed(a.enclosure().sum(&b.enclosure())),
+        }
+    }
+
+    /// a·b
+    pub fn product(self, a: &Real, b: &Real) -> Real {
+        match (a, b) {
+            (Real::Exact(a), Real::Exact(b)) => self.shortened(a * b),
+            (a, b) if a.is_zero() || b.is_zero() => Real::Exact(Rational::ZERO),
+            (a, b) => Real::Enclosed(a.enclosure().product(&b.enclosure())),
+        }
+    }
+
+    /// 1/a; nothing where a may be 0.
+    pub fn reciprocal(self, a: &Real) -> Option<Real> {
+        match a {
+            Real::Exact(a) if a.is_zero() => None,
+            Real::Exact(a) => Some(self.shortened(Rational::ONE / a)),
+            Real::Enclosed(a) => a.reciprocal().map(Real::Enclosed),
+        }
+    }
+
+    /// √a ≥ 0; nothing where a may be below 0.
+    pub fn square_root(self, a: &Real) -> Option<Real> {
+        match a {
+            Real::Exact(a) if *a < Rational::ZERO => None,
+            Real::Exact(a) => match exact_root(a) {
+                Some(root) => Some(self.shortened(root)),
+                None => Enclosure::from(a).square_root().map(Real::Enclosed),
+            },
+            Real::Enclosed(a) => a.square_root().map(Real::Enclosed),
+        }
+    }
+
+    /// aⁿ
+    pub fn power(self, a: &Real, exponent: u32) -> Real {
+        let (mut result, mut square, mut rest) = (Real::Exact(Rational::ONE), a.clone(), exponent);
+        while rest > 0 {
+            if rest % 2 == 1 {
+                result = self.product(&result, &square);
+            }
+            rest /= 2;
+            if rest > 0 {
+                square = self.product(&square, &square);
+            }
+        }
+        result
+    }
+}
+
+/// √q of a fraction that is the square of one.
+pub fn exact_root(square: &Rational) -> Option<Rational> {
+    if *square < Rational::ZERO {
+        return None;
+    }
+    let root = square.numerator().clone().unsigned_abs().sqrt();
+    let below = square.denominator().sqrt();
+    let root = Rational::from_parts(Integer::from(root), below);
+    (&root * &root == *square).then_some(root)
+}

@@ -1,0 +1,172 @@
+//! Assignments that satisfy what a document assumes.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use crate::algebra::sign::Signs;
+use crate::derivation::syntax::Comparison;
+
+use super::assignment::{Assignment, Draw, Size};
+use super::evaluation::Evaluation;
+use super::graph::{Graph, Node, NodeId};
+use super::real::Reals;
+
+/// How often values are drawn again to find an assignment that satisfies the assumptions.
+const MOST_ATTEMPTS: u64 = 2_000;
+
+/// How many operations that may take.
+const MOST_OPERATIONS: usize = 200_000;
+
+/// Up to how many bits the fractions of large random numbers stay exact: products of a few machine words
+/// are enclosed faster than reduced.
+const SHORT: usize = 100;
+
+/// Up to how many bits the fractions of simple numbers stay exact.
+const LONG: usize = 2_000;
+
+const fn size(numerator: u64, denominator: u64) -> Size {
+    Size {
+        numerator,
+        denominator,
+    }
+}
+
+/// Numbers large enough that two different expressions do not agree by chance; most on both sides of 1,
+/// for assumptions that whole numbers do not satisfy.
+const LARGE: [Size; 4] = [
+    size(1_000_000, 1),
+    size(1_000, 1_000),
+    size(1_000, 1_000),
+    size(1_000, 1_000_000),
+];
+
+/// Numbers small enough to check by hand; later ones are larger.
+const SMALL: [Size; 5] = [
+    size(3, 1),
+    size(5, 2),
+    size(40, 9),
+    size(400, 900),
+    size(1_000, 1_000_000),
+];
+
+/// An inequality between nodes that is assumed.
+#[derive(Clone, Copy, Debug)]
+pub struct Assumed {
+    /// The left side.
+    pub left: NodeId,
+    /// How they compare.
+    pub comparison: Comparison,
+    /// The right side.
+    pub right: NodeId,
+}
+
+/// What assignments must satisfy.
+#[derive(Clone, Debug)]
+pub struct Search {
+    /// The signs of variables, by ASCII name.
+    pub signs: Arc<BTreeMap<String, Signs>>,
+    /// The angles whose measure is a fraction, by ASCII name.
+    pub measured: Arc<BTreeSet<String>>,
+    /// The inequalities.
+    pub assumed: Vec<Assumed>,
+    /// Whether small numbers are wanted, and exact values.
+    pub is_simple: bool,
+}
+
+impl Search {
+    /// An evaluation at an assignment, counted from 0; nothing where none is found that satisfies what is
+    /// assumed: the values of an inequality that does not hold are drawn again.
+    pub fn find(&self, graph: &Graph, place: u64) -> Option<Evaluation> {
+        let longest = if self.is_simple { LONG } else { SHORT };
+        let (signs, measured) = (Arc::clone(&self.signs), Arc::clone(&self.measured));
+        let mut assignment = Assignment::new(self.draw(place, 0), signs, measured);
+        let mut steps = MOST_OPERATIONS;
+        for attempt in 1..=MOST_ATTEMPTS {
+            let mut evaluation = Evaluation::new(assignment.clone(), Reals { longest });
+            evaluation.steps = steps;
+            let broken = self.broken(graph, &mut evaluation);
+            steps = evaluation.steps;
+            let Some(broken) = broken else {
+                evaluation.steps = usize::MAX;
+                return Some(evaluation);
+            };
+            if steps == 0 {
+                return None;
+            }
+            let names = names_of(graph, &[broken.left, broken.right]);
+            let draw = self.draw(place, attempt);
+            let chosen = draw.seed as usize % names.len().max(1);
+            for (index, name) in names.iter().enumerate() {
+                if attempt % 2 == 1 || index == chosen {
+                    assignment.redraw(name, draw);
+                }
+            }
+        }
+        None
+    }
+
+    /// The first inequality that does not hold, or of which that is not known.
+    fn broken(&self, graph: &Graph, evaluation: &mut Evaluation) -> Option<Assumed> {
+        let mut assumed = self.assumed.iter().copied();
+        assumed.find(|one| {
+            let left = evaluation.value(graph, one.left);
+            let right = evaluation.value(graph, one.right);
+            match (left, right) {
+                (Ok(left), Ok(right)) => {
+                    evaluation.compared(&left, &right).map(|order| one.comparison.holds(order))
+                        != Some(true)
+                }
+                _ => true,
+            }
+        })
+    }
+
+    fn draw(&self, place: u64, attempt: u64) -> Draw {
+        let seed = place * MOST_ATTEMPTS + attempt;
+        match self.is_simple {
+            true => {
+                let larger = (place / 40 + attempt / 40) as usize;
+                Draw {
+                    seed: 1_000_000_000 + seed,
+                    size: SMALL[larger.min(SMALL.len() - 1)],
+                }
+            }
+            false => Draw {
+                seed,
+                size: LARGE[((place + attempt) % LARGE.len() as u64) as usize],
+            },
+        }
+    }
+}
+
+/// The ASCII names of the variables and functions that nodes rest on.
+fn names_of(graph: &Graph, roots: &[NodeId]) -> BTreeSet<String> {
+    let nodes = graph.below(roots).into_iter();
+    let names = nodes.filter_map(|id| match graph.node(id) {
+        Node::Variable(id) | Node::Cosine(id) | Node::Sine(id) => {
+            Some(graph.variable(*id).name.clone())
+        }
+        Node::Function { function, .. } => Some(graph.function_name(*function).to_owned()),
+        _ => None,
+    });
+    names.collect()
+}
+
+/// The ASCII names of the angles whose measure is a part of nodes, beside the arguments of functions.
+pub fn measured(graph: &Graph, roots: &[NodeId]) -> BTreeSet<String> {
+    let mut open = roots.to_vec();
+    let (mut seen, mut names) = (BTreeSet::new(), BTreeSet::new());
+    while let Some(id) = open.pop() {
+        if !seen.insert(id) {
+            continue;
+        }
+        match graph.node(id) {
+            Node::Variable(id) if graph.variable(*id).is_angular() => {
+                names.insert(graph.variable(*id).name.clone());
+            }
+            Node::Function { .. } => {}
+            node => node.visit(&mut |part| open.push(part)),
+        }
+    }
+    names
+}

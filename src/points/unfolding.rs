@@ -1,0 +1,321 @@
+//! Expressions of a document become nodes of a graph.
+
+mod built_in;
+mod operation;
+mod place;
+
+use std::collections::BTreeMap;
+
+use crate::algebra::number::Rational;
+use crate::derivation::syntax::{Expression, Name, Node as Written};
+
+use super::Failure;
+use super::derivative::By;
+use super::graph::{FunctionId, Kind, Made, Node, NodeId, Variable};
+use super::matrix::{Table, is_single};
+use super::meaning::{Meaning, Meanings};
+use super::sheet::Sheet;
+
+/// How deep definitions and calls may be nested.
+const DEEPEST_NESTING: usize = 400;
+
+/// The most rows and columns of a matrix, and the largest power that is asked for.
+const LARGEST_NUMBER: u32 = 64;
+
+/// Unfolds expressions: definitions are written in, derivatives, expansions and replacements carried out.
+#[derive(Debug)]
+pub struct Unfolding<'a> {
+    meanings: &'a Meanings<'a>,
+    /// The graph that comes out.
+    pub sheet: Sheet,
+    known: BTreeMap<&'a str, Result<Table, Failure>>,
+    references: BTreeMap<&'a str, Result<NodeId, Failure>>,
+    /// The arguments of the calls that one is in.
+    frames: Vec<BTreeMap<&'a str, Table>>,
+    nesting: usize,
+}
+
+impl<'a> Unfolding<'a> {
+    /// Nothing unfolded yet.
+    pub fn new(meanings: &'a Meanings<'a>, sheet: Sheet) -> Self {
+        Unfolding {
+            meanings,
+            sheet,
+            known: BTreeMap::new(),
+            references: BTreeMap::new(),
+            frames: Vec::new(),
+            nesting: 0,
+        }
+    }
+
+    /// An expression, entry by entry.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] where it has no value anywhere, or cannot be followed.
+    pub fn table(&mut self, expression: &'a Expression) -> Result<Table, Failure> {
+        if self.nesting >= DEEPEST_NESTING {
+            return Err(Failure::TooDeep);
+        }
+        self.nesting += 1;
+        let table = self.unfolded(expression);
+        self.nesting -= 1;
+        table
+    }
+
+    /// An expression with one entry.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Unfolding::table`].
+    pub fn scalar(&mut self, expression: &'a Expression) -> Made {
+        let table = self.table(expression)?;
+        match is_single(&table) {
+            true => Ok(table[0][0]),
+            false => Err(Failure::Unsupported),
+        }
+    }
+
+    /// The parts of degree 0, …, `order` of an expression in small quantities, entry by entry.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::NoExpansion`] where there are none.
+    pub fn parts(
+        &mut self,
+        expression: &'a Expression,
+        small: &[&str],
+        order: u32,
+    ) -> Result<Vec<Table>, Failure> {
+        let small: Result<Vec<By>, Failure> = small.iter().map(|name| self.small(name)).collect();
+        let table = self.table(expression)?;
+        self.expanded(&table, &small?, order)
+    }
+
+    /// The coefficient of a power of a variable in an expression.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::NoPolynomial`] where it is not found.
+    pub fn coefficient(&mut self, polynomial: &'a Expression, variable: &str, power: u32) -> Made {
+        let node = self.scalar(polynomial)?;
+        match self.small(variable)? {
+            By::Variable(variable) => self.sheet.coefficient(node, variable, power),
+            _ => Err(Failure::NoVariable),
+        }
+    }
+
+    fn unfolded(&mut self, expression: &'a Expression) -> Result<Table, Failure> {
+        match &expression.node {
+            Written::Number(number) => Ok(single(self.sheet.graph.number(number.clone())?)),
+            Written::Name(name) => self.named(name),
+            Written::Derivative(name, order) => Ok(single(self.bare_function(name, *order)?)),
+            Written::Negative(inner) => {
+                let table = self.table(inner)?;
+                self.sheet.each(&table, |sheet, entry| sheet.graph.negative(entry))
+            }
+            Written::Binary(operator, left, right) => self.binary(*operator, left, right),
+            Written::Call {
+                function,
+                order,
+                arguments,
+            } => self.call(function, *order, arguments),
+            Written::Matrix(rows) => self.blocks(rows),
+            Written::Index(matrix, indices) => self.entry(matrix, indices),
+            Written::At(inner, place) => self.at(inner, place),
+        }
+    }
+
+    /// What a name stands for.
+    fn named(&mut self, name: &'a Name) -> Result<Table, Failure> {
+        let name = name.ascii.as_str();
+        if let Some(argument) = self.frames.last().and_then(|frame| frame.get(name)) {
+            return Ok(argument.clone());
+        }
+        match self.meanings.get(name).copied() {
+            Some(Meaning::Variable(kind)) => Ok(single(self.variable(name, kind)?)),
+            Some(Meaning::ImaginaryUnit) => Ok(single(self.sheet.graph.imaginary_unit()?)),
+            Some(Meaning::Function(_)) => {
+                let (function, reference) = self.declared_function(name)?;
+                let graph = &mut self.sheet.graph;
+                Ok(single(graph.function(function, 0, reference, reference)?))
+            }
+            Some(Meaning::Definition(expression)) => {
+                if let Some(known) = self.known.get(name) {
+                    return known.clone();
+                }
+                // The arguments of a call mean nothing within a definition.
+                self.frames.push(BTreeMap::new());
+                let table = self.table(expression);
+                self.frames.pop();
+                self.known.insert(name, table.clone());
+                table
+            }
+            _ => Err(Failure::Unsupported),
+        }
+    }
+
+    fn variable(&mut self, name: &str, kind: Kind) -> Made {
+        let name = name.to_owned();
+        let id = self.sheet.graph.variable_id(Variable {
+            name,
+            order: 0,
+            kind,
+        });
+        self.sheet.graph.free(id)
+    }
+
+    /// A declared function and where its bare name is taken.
+    fn declared_function(&mut self, name: &str) -> Result<(FunctionId, NodeId), Failure> {
+        let Some((name, Meaning::Function(reference))) = self.meanings.get_key_value(name) else {
+            return Err(Failure::Unsupported);
+        };
+        let place = match self.references.get(name) {
+            Some(known) => known.clone(),
+            None => {
+                self.frames.push(BTreeMap::new());
+                let place = self.scalar(reference);
+                self.frames.pop();
+                self.references.insert(name, place);
+                place
+            }
+        };
+        Ok((self.sheet.graph.function_id(name), place?))
+    }
+
+    /// f⁽ᵏ⁾ where the bare name is taken.
+    fn bare_function(&mut self, name: &Name, order: u32) -> Made {
+        let (function, reference) = self.declared_function(&name.ascii)?;
+        self.sheet.graph.function(function, order, reference, reference)
+    }
+
+    fn call(
+        &mut self,
+        function: &'a Name,
+        order: u32,
+        arguments: &'a [Expression],
+    ) -> Result<Table, Failure> {
+        match (self.meanings.get(function.ascii.as_str()).copied(), arguments) {
+            (Some(Meaning::Function(_)), [argument]) => {
+                let argument = self.scalar(argument)?;
+                let (function, reference) = self.declared_function(&function.ascii)?;
+                let graph = &mut self.sheet.graph;
+                Ok(single(graph.function(function, order, argument, reference)?))
+            }
+            (Some(Meaning::Template(names, body)), _) => {
+                let mut frame = BTreeMap::new();
+                for (name, argument) in names.iter().zip(arguments) {
+                    frame.insert(name.ascii.as_str(), self.table(argument)?);
+                }
+                self.frames.push(frame);
+                let table = self.table(body);
+                self.frames.pop();
+                table
+            }
+            (Some(_), _) => Err(Failure::Unsupported),
+            (None, _) => self.built_in(&function.ascii, arguments),
+        }
+    }
+
+    fn blocks(&mut self, rows: &'a [Vec<Expression>]) -> Result<Table, Failure> {
+        let mut table = Table::new();
+        for row in rows {
+            let mut band = Table::new();
+            for block in row {
+                let block = self.table(block)?;
+                band.resize(band.len().max(block.len()), Vec::new());
+                for (line, more) in band.iter_mut().zip(block) {
+                    line.extend(more);
+                }
+            }
+            table.extend(band);
+        }
+        Ok(table)
+    }
+
+    fn entry(
+        &mut self,
+        matrix: &'a Expression,
+        indices: &'a [Expression],
+    ) -> Result<Table, Failure> {
+        let table = self.table(matrix)?;
+        let mut places = Vec::new();
+        for index in indices {
+            places.push((self.natural(index)? as usize).saturating_sub(1));
+        }
+        let (row, column) = match places[..] {
+            [row, column] => (row, column),
+            [place] if table.len() == 1 => (0, place),
+            [place] => (place, 0),
+            _ => return Err(Failure::Unsupported),
+        };
+        let entry = table.get(row).and_then(|line| line.get(column));
+        let entry = *entry.ok_or(Failure::Unsupported)?;
+        // A matrix has a value where all of its entries have one.
+        let mut guarded = entry;
+        for other in table.iter().flatten() {
+            guarded = self.sheet.graph.guarded(guarded, *other)?;
+        }
+        Ok(single(guarded))
+    }
+
+    /// A small natural number.
+    fn natural(&mut self, expression: &'a Expression) -> Result<u32, Failure> {
+        let node = self.scalar(expression)?;
+        let number = match self.sheet.graph.as_number(node) {
+            Some(number) => number.clone(),
+            None => self.constant(node)?,
+        };
+        let whole = number.is_int().then(|| number.numerator().clone());
+        let whole = whole.and_then(|whole| u32::try_from(whole).ok());
+        whole.filter(|n| *n <= LARGEST_NUMBER).ok_or(Failure::Unsupported)
+    }
+
+    /// The number that a node is everywhere.
+    fn constant(&mut self, node: NodeId) -> Result<Rational, Failure> {
+        let value = self.sheet.sample(node).ok_or(Failure::UnknownIdentity)?;
+        let real = value.as_real().ok_or(Failure::NotReal)?;
+        let number = match real.as_rational() {
+            Some(number) => number.clone(),
+            None => Rational::from(real.enclosure().middle().round()),
+        };
+        let candidate = self.sheet.graph.number(number.clone())?;
+        match self.sheet.is_same(node, candidate)? {
+            true => Ok(number),
+            false => Err(Failure::Unsupported),
+        }
+    }
+
+    /// What a node can be differentiated or replaced as.
+    fn variable_of(&self, node: NodeId) -> Result<By, Failure> {
+        match self.sheet.graph.node(node) {
+            Node::Variable(id) => Ok(By::Variable(*id)),
+            Node::Function {
+                function,
+                order,
+                argument,
+                ..
+            } => Ok(By::Function(*function, *order, *argument)),
+            _ => Err(Failure::NoVariable),
+        }
+    }
+
+    /// The variable of an ASCII name.
+    fn small(&mut self, name: &str) -> Result<By, Failure> {
+        let node = match self.meanings.get_key_value(name) {
+            Some((name, Meaning::Variable(kind))) => self.variable(name, *kind)?,
+            Some((name, Meaning::Function(_))) => {
+                let (function, reference) = self.declared_function(name)?;
+                self.sheet.graph.function(function, 0, reference, reference)?
+            }
+            Some((_, Meaning::Definition(expression))) => self.scalar(expression)?,
+            _ => return Err(Failure::NoVariable),
+        };
+        self.variable_of(node)
+    }
+}
+
+/// A table with one entry.
+fn single(node: NodeId) -> Table {
+    vec![vec![node]]
+}
