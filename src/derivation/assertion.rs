@@ -118,7 +118,10 @@ impl Elaborator {
             (Comparison::Equal, Some(order)) => self.compare_to_order(&differences, order, span)?,
             (comparison, _) => {
                 self.require_real([(&left, &relation.left), (&right, &relation.right)])?;
-                (self.compare_signs(&differences, comparison, relation)?, None)
+                (
+                    self.compare_signs(&differences, comparison, relation)?,
+                    None,
+                )
             }
         };
         if let Some(order) = &assertion.order {
@@ -159,13 +162,13 @@ impl Elaborator {
     }
 
     /// Sees that values are real: complex numbers have no order.
-    pub(super) fn require_real(
-        &self,
-        sides: [(&Value, &Expression); 2],
-    ) -> Result<(), Diagnostic> {
+    pub(super) fn require_real(&self, sides: [(&Value, &Expression); 2]) -> Result<(), Diagnostic> {
         for (value, expression) in sides {
             let entries = value.entries().iter();
-            if !entries.map(|entry| &entry.value).all(|entry| self.ring.is_real(entry)) {
+            if !entries
+                .map(|entry| &entry.value)
+                .all(|entry| self.ring.is_real(entry))
+            {
                 return Err(algebra(AlgebraError::NotReal, &expression.span)
                     .with_label("complex numbers have no order"));
             }

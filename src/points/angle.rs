@@ -141,9 +141,8 @@ impl Sheet {
     /// The sum of angular variables that a node is everywhere, though it is written otherwise: its
     /// derivatives are the coefficients.
     fn hidden_sum(&mut self, id: NodeId) -> Result<Option<Whole>, Failure> {
-        let slope = |sheet: &mut Sheet, variable| {
-            Derivative::new(By::Variable(variable)).of(id, sheet)
-        };
+        let slope =
+            |sheet: &mut Sheet, variable| Derivative::new(By::Variable(variable)).of(id, sheet);
         let Some(whole) = self.whole_slopes(&[id], slope)? else {
             return Ok(None);
         };

@@ -198,7 +198,10 @@ impl Assignment {
 
     /// The place of a function's argument.
     fn place(&self, function: FunctionId, argument: &Real) -> Result<Option<&Place>, Failure> {
-        let of_function = self.places.iter().filter(|place| place.function == function);
+        let of_function = self
+            .places
+            .iter()
+            .filter(|place| place.function == function);
         let mut known = of_function.filter(|place| place.argument.may_be(argument));
         let first = known.next();
         match known.all(|other| first.is_some_and(|first| first.label == other.label)) {

@@ -115,7 +115,9 @@ impl Derivative {
                     return sheet.graph.integer(1);
                 }
                 let change = of(argument)?;
-                let slope = sheet.graph.function(*function, order + 1, *argument, *reference)?;
+                let slope = sheet
+                    .graph
+                    .function(*function, order + 1, *argument, *reference)?;
                 sheet.slope(change, slope)
             }
             Node::Guarded { value, needed } => {

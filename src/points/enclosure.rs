@@ -37,7 +37,11 @@ impl Enclosure {
     fn new(low: Integer, high: Integer, exponent: i64) -> Self {
         let excess = low.bit_len().max(high.bit_len()).saturating_sub(DIGITS);
         if excess == 0 {
-            return Enclosure { low, high, exponent };
+            return Enclosure {
+                low,
+                high,
+                exponent,
+            };
         }
         Enclosure {
             low: lowered(&low, excess),
@@ -140,7 +144,10 @@ impl Enclosure {
         }
         let places = DIGITS + self.high.bit_len();
         let one = Integer::ONE << places;
-        let (below, above) = (&one / &self.high, (one - Integer::ONE) / &self.low + Integer::ONE);
+        let (below, above) = (
+            &one / &self.high,
+            (one - Integer::ONE) / &self.low + Integer::ONE,
+        );
         Some(Enclosure::new(below, above, -self.exponent - places as i64))
     }
 
@@ -266,11 +273,18 @@ pub fn circle_point(angle: &Rational) -> (Enclosure, Enclosure) {
 /// The first so many digits of a number, in a decimal fraction.
 fn decimal(number: &Rational, digits: usize) -> String {
     let sign = if *number < Rational::ZERO { "-" } else { "" };
-    let size = if *number < Rational::ZERO { -number.clone() } else { number.clone() };
+    let size = if *number < Rational::ZERO {
+        -number.clone()
+    } else {
+        number.clone()
+    };
     let whole = (size.numerator() / size.denominator()).to_string();
     let mut leading = 0;
     if whole == "0" && !size.is_zero() {
-        let spare = size.denominator().bit_len().saturating_sub(size.numerator().bit_len());
+        let spare = size
+            .denominator()
+            .bit_len()
+            .saturating_sub(size.numerator().bit_len());
         leading = spare * 30_103 / 100_000;
     }
     let places = match whole.as_str() {
@@ -289,7 +303,10 @@ fn decimal(number: &Rational, digits: usize) -> String {
 
 impl From<&Rational> for Enclosure {
     fn from(number: &Rational) -> Self {
-        let (above, below) = (number.numerator(), Integer::from(number.denominator().clone()));
+        let (above, below) = (
+            number.numerator(),
+            Integer::from(number.denominator().clone()),
+        );
         if below == Integer::ONE {
             return Enclosure::new(above.clone(), above.clone(), 0);
         }
@@ -367,7 +384,10 @@ mod tests {
         let root = Enclosure::from(&Rational::from(2)).square_root().unwrap();
         let near = rational(1_414_213_562_373_095_048, 1_000_000_000_000_000_000);
         assert!(!root.meets(&Enclosure::from(&near)));
-        assert!(root.product(&root).meets(&Enclosure::from(&Rational::from(2))));
+        assert!(
+            root.product(&root)
+                .meets(&Enclosure::from(&Rational::from(2)))
+        );
         assert_eq!(root.display(20), "1.4142135623730950488");
         assert_eq!(root.negative().display(5), "-1.4142");
     }

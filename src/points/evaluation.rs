@@ -105,10 +105,7 @@ impl Evaluation {
         let reals = self.reals;
         match graph.node(id) {
             Node::Number(number) => Ok(reals.shortened(number.clone()).into()),
-            Node::ImaginaryUnit => Ok(Number::new(
-                Rational::ZERO.into(),
-                Rational::ONE.into(),
-            )),
+            Node::ImaginaryUnit => Ok(Number::new(Rational::ZERO.into(), Rational::ONE.into())),
             Node::Variable(id) => self.assignment.value(graph.variable(*id)),
             Node::Cosine(id) => Ok(self.assignment.circle(graph.variable(*id)).0.into()),
             Node::Sine(id) => Ok(self.assignment.circle(graph.variable(*id)).1.into()),

@@ -49,7 +49,9 @@ impl fmt::Display for Failure {
             Failure::NoExpansion => "there is no expansion where the small quantities vanish",
             Failure::NoPolynomial => "it is no polynomial of a degree below 37",
             Failure::NotAnAngle => "the sine of what is no sum of angles",
-            Failure::NoVariable => "something other than a variable is replaced or differentiated by",
+            Failure::NoVariable => {
+                "something other than a variable is replaced or differentiated by"
+            }
             Failure::UnknownIdentity => "whether two arguments are equal cannot be told",
             Failure::Unsupported => "it cannot be evaluated at a point",
         })

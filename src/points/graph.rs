@@ -238,7 +238,9 @@ impl Graph {
             Node::Root(_) | Node::Direction { .. } => {
                 (traits.total, traits.real, traits.branched) = (false, true, true);
             }
-            Node::Function { .. } => (traits.total, traits.real) = (traits.total && traits.real, true),
+            Node::Function { .. } => {
+                (traits.total, traits.real) = (traits.total && traits.real, true)
+            }
             _ => {}
         }
         traits
@@ -268,7 +270,8 @@ impl Graph {
     }
 
     fn is(&self, id: NodeId, number: i32) -> bool {
-        self.as_number(id).is_some_and(|own| *own == Rational::from(number))
+        self.as_number(id)
+            .is_some_and(|own| *own == Rational::from(number))
     }
 
     /// Whether a node is the number 0.

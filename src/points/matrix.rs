@@ -123,7 +123,10 @@ impl Sheet {
 
     /// Whether every entry has a value under every assignment.
     fn is_total(&self, table: &Table) -> bool {
-        table.iter().flatten().all(|entry| self.graph.is_total(*entry))
+        table
+            .iter()
+            .flatten()
+            .all(|entry| self.graph.is_total(*entry))
     }
 
     /// adj A
@@ -157,19 +160,29 @@ impl Sheet {
                 sheet.graph.quotient(entry, determinant)
             });
         }
-        let both: Table = a.iter().zip(b).map(|(a, b)| [a.clone(), b.clone()].concat()).collect();
+        let both: Table = a
+            .iter()
+            .zip(b)
+            .map(|(a, b)| [a.clone(), b.clone()].concat())
+            .collect();
         let reduced = self.reduced(&both, a.len())?;
         if reduced.pivots.len() < a.len() {
             return Err(Failure::Singular);
         }
-        Ok(reduced.rows.iter().map(|row| row[a.len()..].to_vec()).collect())
+        Ok(reduced
+            .rows
+            .iter()
+            .map(|row| row[a.len()..].to_vec())
+            .collect())
     }
 
     /// Columns that span {x : A·x = 0}, each with a 1 at a free place and zeros at the others.
     pub fn kernel(&mut self, table: &Table) -> Result<Table, Failure> {
         let width = table.first().map_or(0, Vec::len);
         let Reduced { rows, pivots, .. } = self.reduced(table, width)?;
-        let free: Vec<usize> = (0..width).filter(|column| !pivots.contains(column)).collect();
+        let free: Vec<usize> = (0..width)
+            .filter(|column| !pivots.contains(column))
+            .collect();
         let mut kernel = vec![Vec::new(); width];
         for (place, line) in kernel.iter_mut().enumerate() {
             for column in &free {
@@ -250,7 +263,10 @@ impl Sheet {
 fn without(table: &Table, row: usize, column: usize) -> Table {
     let rows = table.iter().enumerate().filter(|(place, _)| *place != row);
     rows.map(|(_, line)| {
-        let entries = line.iter().enumerate().filter(|(place, _)| *place != column);
+        let entries = line
+            .iter()
+            .enumerate()
+            .filter(|(place, _)| *place != column);
         entries.map(|(_, entry)| *entry).collect()
     })
     .collect()

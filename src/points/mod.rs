@@ -7,8 +7,8 @@
 //!
 //! This route knows the syntax of documents and exact numbers, and nothing of the ring.
 
-pub mod assignment;
 mod angle;
+pub mod assignment;
 mod derivative;
 mod describe;
 pub mod enclosure;

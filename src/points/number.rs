@@ -69,7 +69,9 @@ impl Number {
     pub fn is_narrow(&self, beside: &Number, digits: i64) -> bool {
         let ((a, b), (c, d)) = (self.parts(), beside.parts());
         let size = Reals { longest: 0 };
-        let size = size.sum(&size.product(&c, &c), &size.product(&d, &d)).enclosure();
+        let size = size
+            .sum(&size.product(&c, &c), &size.product(&d, &d))
+            .enclosure();
         let size = size.square_root().unwrap_or(size);
         a.enclosure().is_narrow(&size, digits) && b.enclosure().is_narrow(&size, digits)
     }
@@ -127,10 +129,7 @@ impl Reals {
         let Some(imaginary) = &a.imaginary else {
             return self.reciprocal(&a.real).map(Number::from);
         };
-        let square = self.sum(
-            &self.power(&a.real, 2),
-            &self.power(imaginary, 2),
-        );
+        let square = self.sum(&self.power(&a.real, 2), &self.power(imaginary, 2));
         let inverse = self.reciprocal(&square)?;
         let below = self.negative(&self.product(imaginary, &inverse));
         Some(Number::new(self.product(&a.real, &inverse), below))

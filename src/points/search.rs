@@ -113,7 +113,9 @@ impl Search {
             let right = evaluation.value(graph, one.right);
             match (left, right) {
                 (Ok(left), Ok(right)) => {
-                    evaluation.compared(&left, &right).map(|order| one.comparison.holds(order))
+                    evaluation
+                        .compared(&left, &right)
+                        .map(|order| one.comparison.holds(order))
                         != Some(true)
                 }
                 _ => true,

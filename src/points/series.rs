@@ -189,7 +189,9 @@ impl Expansion {
     fn stays(&self, id: NodeId) -> bool {
         let series = self.known.get(&id);
         series.is_some_and(|series| {
-            series.is_exact && (series.terms.is_empty() || series.terms == [id]) && series.first == 0
+            series.is_exact
+                && (series.terms.is_empty() || series.terms == [id])
+                && series.first == 0
         })
     }
 
@@ -335,7 +337,11 @@ impl Expansion {
         let leading = sheet.graph.root(a.terms[0])?;
         let twice = sheet.graph.scaled(leading, Rational::from(2))?;
         let mut terms = vec![leading];
-        let length = if a.is_exact { self.length } else { a.terms.len() };
+        let length = if a.is_exact {
+            self.length
+        } else {
+            a.terms.len()
+        };
         for place in 1..length {
             let known: Vec<(NodeId, NodeId)> =
                 (1..place).map(|j| (terms[j], terms[place - j])).collect();
@@ -371,7 +377,9 @@ impl Expansion {
             Some(base) => base,
             None => sheet.graph.integer(0)?,
         };
-        let skipped = usize::try_from(1 - argument.first).unwrap_or(0).min(argument.terms.len());
+        let skipped = usize::try_from(1 - argument.first)
+            .unwrap_or(0)
+            .min(argument.terms.len());
         let step = Series {
             first: argument.first.max(1),
             terms: argument.terms[skipped..].to_vec(),
@@ -415,7 +423,9 @@ impl Expansion {
         }
         let first = u32::from(matches!(node, Node::Sine(_))) * 3;
         self.composed(turn, sheet, |sheet, k, _| {
-            sheet.graph.integer([1, 0, -1, 0][((k + first) % 4) as usize])
+            sheet
+                .graph
+                .integer([1, 0, -1, 0][((k + first) % 4) as usize])
         })
     }
 
@@ -505,7 +515,9 @@ impl Sheet {
         let mut length = power as usize + 2;
         loop {
             let mut expansion = Expansion::by_powers(variable, 1, length, self)?;
-            let term = expansion.of(node, self).and_then(|series| series.term(i64::from(power)));
+            let term = expansion
+                .of(node, self)
+                .and_then(|series| series.term(i64::from(power)));
             match term {
                 Ok(Some(term)) => return Ok(term),
                 Ok(None) => return self.graph.integer(0),

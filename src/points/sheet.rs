@@ -38,7 +38,11 @@ impl Sheet {
         if let Some(number) = self.graph.as_number(id) {
             return Ok(number.is_zero());
         }
-        let wanted = if self.graph.is_branched(id) { MANY } else { FEW };
+        let wanted = if self.graph.is_branched(id) {
+            MANY
+        } else {
+            FEW
+        };
         let mut seen = 0;
         for evaluation in &mut self.generic {
             let Ok(value) = evaluation.value(&self.graph, id) else {
@@ -74,7 +78,10 @@ impl Sheet {
     /// The value of a node at the first assignment at which it has one.
     pub fn sample(&mut self, id: NodeId) -> Option<Number> {
         let graph = &self.graph;
-        let mut values = self.generic.iter_mut().map(|generic| generic.value(graph, id));
+        let mut values = self
+            .generic
+            .iter_mut()
+            .map(|generic| generic.value(graph, id));
         values.find_map(Result::ok)
     }
 

@@ -112,7 +112,8 @@ impl<'a> Unfolding<'a> {
             Written::Derivative(name, order) => Ok(single(self.bare_function(name, *order)?)),
             Written::Negative(inner) => {
                 let table = self.table(inner)?;
-                self.sheet.each(&table, |sheet, entry| sheet.graph.negative(entry))
+                self.sheet
+                    .each(&table, |sheet, entry| sheet.graph.negative(entry))
             }
             Written::Binary(operator, left, right) => self.binary(*operator, left, right),
             Written::Call {
@@ -186,7 +187,9 @@ impl<'a> Unfolding<'a> {
     /// f⁽ᵏ⁾ where the bare name is taken.
     fn bare_function(&mut self, name: &Name, order: u32) -> Made {
         let (function, reference) = self.declared_function(&name.ascii)?;
-        self.sheet.graph.function(function, order, reference, reference)
+        self.sheet
+            .graph
+            .function(function, order, reference, reference)
     }
 
     fn call(
@@ -195,12 +198,17 @@ impl<'a> Unfolding<'a> {
         order: u32,
         arguments: &'a [Expression],
     ) -> Result<Table, Failure> {
-        match (self.meanings.get(function.ascii.as_str()).copied(), arguments) {
+        match (
+            self.meanings.get(function.ascii.as_str()).copied(),
+            arguments,
+        ) {
             (Some(Meaning::Function(_)), [argument]) => {
                 let argument = self.scalar(argument)?;
                 let (function, reference) = self.declared_function(&function.ascii)?;
                 let graph = &mut self.sheet.graph;
-                Ok(single(graph.function(function, order, argument, reference)?))
+                Ok(single(
+                    graph.function(function, order, argument, reference)?,
+                ))
             }
             (Some(Meaning::Template(names, body)), _) => {
                 let mut frame = BTreeMap::new();
@@ -268,7 +276,9 @@ impl<'a> Unfolding<'a> {
         };
         let whole = number.is_int().then(|| number.numerator().clone());
         let whole = whole.and_then(|whole| u32::try_from(whole).ok());
-        whole.filter(|n| *n <= LARGEST_NUMBER).ok_or(Failure::Unsupported)
+        whole
+            .filter(|n| *n <= LARGEST_NUMBER)
+            .ok_or(Failure::Unsupported)
     }
 
     /// The number that a node is everywhere.
@@ -306,7 +316,9 @@ impl<'a> Unfolding<'a> {
             Some((name, Meaning::Variable(kind))) => self.variable(name, *kind)?,
             Some((name, Meaning::Function(_))) => {
                 let (function, reference) = self.declared_function(name)?;
-                self.sheet.graph.function(function, 0, reference, reference)?
+                self.sheet
+                    .graph
+                    .function(function, 0, reference, reference)?
             }
             Some((_, Meaning::Definition(expression))) => self.scalar(expression)?,
             _ => return Err(Failure::NoVariable),

@@ -7,7 +7,7 @@ use sextic::algebra::number::Rational;
 use sextic::derivation::expression_parser::parse_expression;
 use sextic::derivation::notation::Notation;
 use sextic::derivation::syntax::{BinaryOperator, Expression, Node};
-use sextic::derivation::verdict::Verdict;
+use sextic::derivation::verdict::{Coordinate, Verdict};
 
 use super::{audit_text, block};
 
@@ -129,8 +129,8 @@ proptest! {
             return Ok(());
         };
         prop_assert_eq!(claim.verdict, Verdict::Refuted);
-        // What the normal forms do not contain is not listed and may have any value.
-        let named = |(name, value): &(_, Rational)| (Notation::Ascii.expression(name), value.clone());
+        // What an expression does not contain is not listed and may have any value.
+        let named = |one: &Coordinate| (Notation::Ascii.expression(&one.name), one.value.clone());
         let mut point: BTreeMap<String, Rational> = witness.point.iter().map(named).collect();
         for name in ["p", "q", "x", "y"] {
             point.entry(name.into()).or_insert(Rational::from(7));

@@ -1,5 +1,5 @@
-//! What the first route finds and the second does not see stops the audit; what the second does not
-//! see is not refuted.
+//! What the first route finds and the second contradicts is undecided and told as a fault; what the
+//! second does not see is not refuted.
 //!
 //! The routes are made to disagree by giving the second one another relation than the first one was
 //! asked about.
@@ -20,7 +20,7 @@ use sextic::derivation::matching::Matched;
 use sextic::derivation::scope::{Meaning, SymbolKind};
 use sextic::derivation::syntax::{Name, Spanned, StatementKind};
 use sextic::derivation::unit::Unit;
-use sextic::derivation::verdict::Verdict;
+use sextic::derivation::verdict::{Claim, Verdict};
 
 use super::block;
 
@@ -90,23 +90,24 @@ fn judged_by_points(
     elaborator: &Elaborator,
     findings: &[Finding],
     matchings: &[MatchingCheck],
-) -> Result<Vec<Verdict>, DiagnosticKind> {
+) -> Result<Vec<Claim>, DiagnosticKind> {
     let mut judge = Judge::new(&elaborator.scope, &[], BTreeMap::<String, Signs>::new());
     let claims = judge.judge_all(findings, matchings);
-    let verdicts = claims.map(|claims| claims.iter().map(|claim| claim.verdict).collect());
-    verdicts.map_err(|error| error.kind)
+    claims.map_err(|error| error.kind)
 }
 
-/// What becomes of a finding about one assertion when another one is evaluated at points.
-fn judged(found: &str, evaluated: &str) -> Result<Verdict, DiagnosticKind> {
+/// What becomes of a finding about one assertion when another one is evaluated at points: the verdict, and
+/// whether a fault of the tool is told.
+fn judged(found: &str, evaluated: &str) -> (Verdict, bool) {
     let mut elaborator = elaborator();
     let mut finding = elaborator.find(&assertion(found)).expect(found);
     finding.assertion = assertion(evaluated);
-    judged_by_points(&elaborator, &[finding], &[]).map(|verdicts| verdicts[0])
+    let claims = judged_by_points(&elaborator, &[finding], &[]).expect(found);
+    (claims[0].verdict, claims[0].is_fault)
 }
 
 #[test]
-fn a_disagreement_stops_the_audit() {
+fn a_disagreement_is_told_as_a_fault() {
     for (found, verdict, evaluated) in [
         (
             "claim (1): (x + y)^2 == x^2 + 2*x*y + y^2",
@@ -147,9 +148,9 @@ fn a_disagreement_stops_the_audit() {
             "approximate (1): cos(θ) ≈ 1 to order 2 in θ",
         ),
     ] {
-        assert_eq!(judged(found, found), Ok(verdict), "{found}");
+        assert_eq!(judged(found, found), (verdict, false), "{found}");
         let outcome = judged(found, evaluated);
-        assert_eq!(outcome, Err(DiagnosticKind::Disagreement), "{evaluated}");
+        assert_eq!(outcome, (Verdict::Undecided, true), "{evaluated}");
     }
 }
 
@@ -163,8 +164,12 @@ fn nothing_is_refuted_without_a_point() {
             "approximate (1): sin(θ) ≈ θ to order 2 in θ",
         ),
     ] {
-        assert_eq!(judged(found, found), Ok(Verdict::Refuted), "{found}");
-        assert_eq!(judged(found, evaluated), Ok(Verdict::Undecided), "{found}");
+        assert_eq!(judged(found, found), (Verdict::Refuted, false), "{found}");
+        assert_eq!(
+            judged(found, evaluated),
+            (Verdict::Undecided, false),
+            "{found}"
+        );
     }
 }
 

@@ -5,6 +5,7 @@ use sextic::derivation::condition::Requirement;
 use sextic::derivation::diagnostic::SourceFile;
 use sextic::derivation::notation::Notation;
 use sextic::derivation::verdict::{Claim, Verdict};
+use sextic::report::words;
 
 use super::{Folder, audit_in, data};
 
@@ -25,10 +26,13 @@ fn line(claim: &Claim) -> String {
         line += &format!("; leading {}", Notation::Unicode.expression(residual));
     }
     if let Some(witness) = &claim.witness {
-        let coordinates = witness
-            .point
-            .iter()
-            .map(|(name, value)| format!("{} = {value}", Notation::Unicode.expression(name)));
+        let coordinates = witness.point.iter().map(|one| {
+            format!(
+                "{} = {}",
+                Notation::Unicode.expression(&one.name),
+                words::assigned(one, Notation::Ascii)
+            )
+        });
         let coordinates: Vec<String> = coordinates.collect();
         let sides = format!("{} against {}", witness.left, witness.right);
         line += &format!("; {sides} at {}", coordinates.join(", "));

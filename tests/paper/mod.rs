@@ -52,10 +52,13 @@ fn verdict_lines(claim: &Claim) -> String {
         let _ = writeln!(text, "    because {reason}");
     }
     if let Some(witness) = &claim.witness {
-        let point = witness
-            .point
-            .iter()
-            .map(|(name, value)| format!("{}={value}", Notation::Ascii.expression(name)));
+        let point = witness.point.iter().map(|one| {
+            format!(
+                "{}={}",
+                Notation::Ascii.expression(&one.name),
+                words::assigned(one, Notation::Ascii)
+            )
+        });
         let point: Vec<String> = point.collect();
         let entry = witness
             .entry

@@ -41,7 +41,11 @@ impl Elaborator {
                 return Err(algebra(AlgebraError::NotReal, span)
                     .with_label("replaces an angle, a coordinate or a function, which are real"));
             };
-            let arguments = self.arguments.last().into_iter().flat_map(|known| known.values());
+            let arguments = self
+                .arguments
+                .last()
+                .into_iter()
+                .flat_map(|known| known.values());
             let mut entries = arguments.flat_map(|value| value.entries());
             if entries.any(|entry| self.ring.constituents(&entry.value).contains(&symbol)) {
                 return Err(algebra(AlgebraError::NotReal, span).with_help(format!(
@@ -51,7 +55,10 @@ impl Elaborator {
             let generator = Generator::Constant {
                 name: format!("complex {name}"),
             };
-            let twin = self.ring.symbol(generator).map_err(|error| algebra(error, span))?;
+            let twin = self
+                .ring
+                .symbol(generator)
+                .map_err(|error| algebra(error, span))?;
             if !self.ring.assumptions().is_complex(twin) {
                 self.ring.assumptions_mut().assume_complex(twin);
             }

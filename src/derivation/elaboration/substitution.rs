@@ -52,7 +52,10 @@ impl Elaborator {
         // What does not occur need not exist.
         let mentioned = self.mentioned(inner);
         images.retain(|symbol, _| self.is_mentioned(*symbol, &mentioned));
-        let twins = self.twins(images.iter().map(|(symbol, image)| (*symbol, &image.value)), span)?;
+        let twins = self.twins(
+            images.iter().map(|(symbol, image)| (*symbol, &image.value)),
+            span,
+        )?;
         if !twins.is_empty() {
             // Nothing is kept that was found for real values.
             (value, needed) =
@@ -168,7 +171,9 @@ impl Elaborator {
         let images = self.read_replacements(&replacements, span);
         self.arguments.pop();
         let mut images = images?;
-        images.values_mut().for_each(|image| image.conditions.extend(&conditions));
+        images
+            .values_mut()
+            .for_each(|image| image.conditions.extend(&conditions));
         if self.twins.is_empty() {
             let known = KnownSubstitution {
                 images: images.clone(),

@@ -58,7 +58,10 @@ impl Sides {
                 let right = unfolding.parts(&relation.right, &small, highest)?;
                 left.into_iter().zip(right).collect()
             }
-            None => vec![(unfolding.table(&relation.left)?, unfolding.table(&relation.right)?)],
+            None => vec![(
+                unfolding.table(&relation.left)?,
+                unfolding.table(&relation.right)?,
+            )],
         };
         let mut conditions = Vec::new();
         for condition in &finding.conditions {
@@ -95,7 +98,10 @@ impl Sides {
             return Ok(Agreement::OutsideOfConditions);
         }
         for degree in 0..self.beyond.unwrap_or(self.pairs.len()) {
-            if self.difference(degree, evaluation, graph, comparison, true)?.is_some() {
+            if self
+                .difference(degree, evaluation, graph, comparison, true)?
+                .is_some()
+            {
                 return Ok(Agreement::Differs);
             }
         }

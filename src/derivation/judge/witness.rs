@@ -113,12 +113,7 @@ impl<'a> Candidates<'a> {
 
     /// An evaluation at one of the assignments, counted from 0, for some nodes: the angles whose measure
     /// they contain have a fraction for it.
-    fn at(
-        &mut self,
-        place: usize,
-        nodes: &[NodeId],
-        graph: &Graph,
-    ) -> Option<&mut Evaluation> {
+    fn at(&mut self, place: usize, nodes: &[NodeId], graph: &Graph) -> Option<&mut Evaluation> {
         let mut angles = measured(graph, nodes);
         angles.extend(self.search.measured.iter().cloned());
         let search = Search {

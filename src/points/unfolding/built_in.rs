@@ -128,7 +128,10 @@ impl<'a> Unfolding<'a> {
                 self.sheet.identity(size)
             }
             ("zero", [rows, columns]) => {
-                let (rows, columns) = (self.natural(rows)? as usize, self.natural(columns)? as usize);
+                let (rows, columns) = (
+                    self.natural(rows)? as usize,
+                    self.natural(columns)? as usize,
+                );
                 Ok(vec![vec![self.sheet.graph.integer(0)?; columns]; rows])
             }
             _ => self.part(function, arguments),
@@ -162,7 +165,9 @@ impl<'a> Unfolding<'a> {
         match &list.node {
             Written::Matrix(rows) => {
                 let entries = rows.iter().flatten();
-                entries.map(|entry| Ok(self.natural(entry)? as usize)).collect()
+                entries
+                    .map(|entry| Ok(self.natural(entry)? as usize))
+                    .collect()
             }
             _ => Ok(vec![self.natural(list)? as usize]),
         }

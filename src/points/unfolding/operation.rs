@@ -19,9 +19,9 @@ impl<'a> Unfolding<'a> {
         match operator {
             BinaryOperator::Add | BinaryOperator::Subtract => self.added(operator, &a, &b),
             BinaryOperator::Multiply => self.sheet.table_product(&a, &b),
-            BinaryOperator::Divide if is_single(&b) => {
-                self.sheet.each(&a, |sheet, entry| sheet.graph.quotient(entry, b[0][0]))
-            }
+            BinaryOperator::Divide if is_single(&b) => self
+                .sheet
+                .each(&a, |sheet, entry| sheet.graph.quotient(entry, b[0][0])),
             BinaryOperator::Power if is_single(&b) => {
                 let exponent = match self.sheet.graph.as_number(b[0][0]) {
                     Some(exponent) => exponent.clone(),
@@ -33,12 +33,7 @@ impl<'a> Unfolding<'a> {
         }
     }
 
-    fn added(
-        &mut self,
-        operator: BinaryOperator,
-        a: &Table,
-        b: &Table,
-    ) -> Result<Table, Failure> {
+    fn added(&mut self, operator: BinaryOperator, a: &Table, b: &Table) -> Result<Table, Failure> {
         let mut rows = Table::new();
         for (left, right) in a.iter().zip(b) {
             let mut row = Vec::new();

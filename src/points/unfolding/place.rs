@@ -11,22 +11,15 @@ use super::Unfolding;
 
 impl<'a> Unfolding<'a> {
     /// An expression with replacements written in.
-    pub(super) fn at(
-        &mut self,
-        inner: &'a Expression,
-        place: &'a Place,
-    ) -> Result<Table, Failure> {
+    pub(super) fn at(&mut self, inner: &'a Expression, place: &'a Place) -> Result<Table, Failure> {
         let table = self.table(inner)?;
         let mut substitution = self.replacements(place, &table)?;
-        self.sheet.each(&table, |sheet, entry| substitution.of(entry, sheet))
+        self.sheet
+            .each(&table, |sheet, entry| substitution.of(entry, sheet))
     }
 
     /// What a place replaces by what, as far as it stands in a table.
-    fn replacements(
-        &mut self,
-        place: &'a Place,
-        table: &Table,
-    ) -> Result<Substitution, Failure> {
+    fn replacements(&mut self, place: &'a Place, table: &Table) -> Result<Substitution, Failure> {
         let (replacements, is_named) = match place {
             Place::Replacements(replacements) => (replacements.as_slice(), false),
             Place::Named(name) => match self.meanings.get(name.value.ascii.as_str()) {
@@ -54,7 +47,9 @@ impl<'a> Unfolding<'a> {
                     }
                     By::Function(function, order, place) => {
                         let value = self.scalar(&replacement.value)?;
-                        substitution.functions.push(((function, order, place), value));
+                        substitution
+                            .functions
+                            .push(((function, order, place), value));
                     }
                     By::Time => return Err(Failure::NoVariable),
                 }
@@ -91,7 +86,8 @@ impl<'a> Unfolding<'a> {
     pub(super) fn rate(&mut self, inner: &'a Expression) -> Result<Table, Failure> {
         let table = self.table(inner)?;
         let mut derivative = Derivative::new(By::Time);
-        self.sheet.each(&table, |sheet, entry| derivative.of(entry, sheet))
+        self.sheet
+            .each(&table, |sheet, entry| derivative.of(entry, sheet))
     }
 
     /// The parts of degree 0, …, `order` of every entry.
