@@ -186,21 +186,11 @@ fn claim(
 
 /// The claim that a finding is, before it is judged.
 fn undecided(finding: &Finding) -> Claim {
-    let assertion = &finding.assertion;
     Claim {
-        label: assertion.label.clone(),
-        line: assertion.line,
-        statement: assertion.relation.clone(),
-        description: assertion.description.clone(),
-        expectation: assertion.expectation,
-        verdict: Verdict::Undecided,
         conditions: finding.conditions.clone(),
-        neglected: None,
         residual: finding.residual.clone(),
-        witness: None,
-        reason: None,
         sides: finding.sides.clone(),
-        points: 0,
+        ..Claim::undecided(&finding.assertion)
     }
 }
 

@@ -204,6 +204,7 @@ const fn mark(verdict: Verdict) -> &'static str {
         Verdict::Approximate => r"$\approx$",
         Verdict::Refuted | Verdict::IllFormed => r"$\times$",
         Verdict::Undecided => "?",
+        Verdict::Skipped => "--",
     }
 }
 

@@ -11,10 +11,7 @@ use super::phrase::Phrase;
 
 /// `(8, printed)` or `[centre of rotation]`, as the document writes it.
 pub fn label(label: &Label) -> String {
-    match label.equation {
-        Some(_) => format!("({})", label.text),
-        None => format!("[{}]", label.text),
-    }
+    label.written()
 }
 
 /// One character that stands for a verdict.
@@ -24,6 +21,7 @@ pub const fn mark(verdict: Verdict) -> &'static str {
         Verdict::Approximate => "≈",
         Verdict::Refuted | Verdict::IllFormed => "✗",
         Verdict::Undecided => "?",
+        Verdict::Skipped => "–",
     }
 }
 
@@ -47,10 +45,15 @@ pub const fn fails(verdict: Verdict) -> bool {
     matches!(verdict, Verdict::Refuted | Verdict::IllFormed)
 }
 
+/// Whether a claim has a verdict, and not the one that the author expects.
+pub fn is_surprise(claim: &Claim) -> bool {
+    claim.verdict != Verdict::Skipped && !claim.as_expected()
+}
+
 /// `NOT AS EXPECTED: the document expects “holds”`, of a verdict that the author does not expect.
 pub fn surprise(claim: &Claim) -> Option<String> {
     let expected = expectation(claim.expectation);
-    (!claim.as_expected()).then(|| format!("NOT AS EXPECTED: the document expects “{expected}”"))
+    is_surprise(claim).then(|| format!("NOT AS EXPECTED: the document expects “{expected}”"))
 }
 
 /// What a claim says; an approximation has `≈`.

@@ -73,5 +73,6 @@ pub const fn class(verdict: Verdict) -> &'static str {
         Verdict::Approximate => "approximate",
         Verdict::Refuted | Verdict::IllFormed => "fails",
         Verdict::Undecided => "undecided",
+        Verdict::Skipped => "skipped",
     }
 }
