@@ -16,7 +16,7 @@ use super::explanation::Explanation;
 use super::matching::Matched;
 use super::mention::Mention;
 use super::name::Aliases;
-use super::syntax::{Name, Relation, Sign};
+use super::syntax::{Name, Relation, Sign, Span};
 use super::verdict::Claim;
 
 use judgement::FailedMatchings;
@@ -129,6 +129,8 @@ pub struct Mistake {
 /// A statement that is well and builds on a refused one.
 #[derive(Clone, Debug)]
 pub struct Skipped {
+    /// Where it stands.
+    pub span: Span,
     /// The line on which it stands.
     pub line: usize,
     /// What it is: `the definition of K`.

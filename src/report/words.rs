@@ -4,7 +4,7 @@ use crate::algebra::number::Rational;
 use crate::derivation::condition::Requirement;
 use crate::derivation::matching::{Matched, Row, Singularity};
 use crate::derivation::notation::Notation;
-use crate::derivation::syntax::{BinaryOperator, Expectation, Expression, Label, Node};
+use crate::derivation::syntax::{BinaryOperator, Expectation, Expression, Label, Node, Sign};
 use crate::derivation::verdict::{Claim, Condition, Verdict};
 
 use super::phrase::Phrase;
@@ -61,6 +61,19 @@ pub fn statement(claim: &Claim, notation: Notation) -> String {
     match claim.expectation {
         Expectation::Approximate => notation.approximation(&claim.statement),
         _ => notation.relation(&claim.statement),
+    }
+}
+
+/// `> 0`, `≠ 0`: a declared sign.
+pub const fn sign(sign: Sign, notation: Notation) -> &'static str {
+    match (sign, notation) {
+        (Sign::Positive, _) => "> 0",
+        (Sign::NonNegative, Notation::Unicode) => "≥ 0",
+        (Sign::NonNegative, Notation::Ascii) => ">= 0",
+        (Sign::NonNegative, Notation::Latex) => r"\ge 0",
+        (Sign::NonZero, Notation::Unicode) => "≠ 0",
+        (Sign::NonZero, Notation::Ascii) => "!= 0",
+        (Sign::NonZero, Notation::Latex) => r"\ne 0",
     }
 }
 

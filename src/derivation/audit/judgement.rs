@@ -65,6 +65,7 @@ fn skip(claim: &mut Claim, reason: &Reason, path: &str) -> Skipped {
     claim.reason = Some(format!("it {}", basis.reason));
     claim.witness = None;
     Skipped {
+        span: claim.label.span.clone(),
         line: claim.line,
         what: format!("the claim {}", claim.label.written()),
         basis,

@@ -202,6 +202,7 @@ impl<'a> Reader<'a> {
             });
         }
         read.skipped.push(Skipped {
+            span: statement.span.clone(),
             line: self.here.line,
             what: what(&statement.kind),
             basis,

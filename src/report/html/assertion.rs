@@ -72,7 +72,6 @@ pub const fn class(verdict: Verdict) -> &'static str {
         Verdict::Holds | Verdict::HoldsWhere => "holds",
         Verdict::Approximate => "approximate",
         Verdict::Refuted | Verdict::IllFormed => "fails",
-        Verdict::Undecided => "undecided",
-        Verdict::Skipped => "skipped",
+        Verdict::Undecided | Verdict::Skipped => "undecided",
     }
 }
