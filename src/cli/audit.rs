@@ -9,7 +9,7 @@ use crate::report::{json, latex, markdown, text, words};
 
 use super::Outcome;
 use super::output::{Format, finish, width, wrong};
-use super::source::audit_all;
+use super::source::{Audited, audit_all};
 
 /// How many identifiers are suggested for a misspelt one.
 const SUGGESTIONS: usize = 3;
@@ -20,7 +20,8 @@ const LEAST_LIKENESS: f64 = 0.6;
 ///
 /// Every `claim`, `eigenpair`, `refute`, `approximate` and `ill-formed` of a document is decided twice: by comparing
 /// normal forms, and by exact evaluation at random points. A verdict names the conditions that its
-/// steps needed, what an approximation leaves out, or a point at which the two sides differ.
+/// steps needed, what an approximation leaves out, or a point at which the two sides differ. A mistake
+/// in a statement is told with its place; what builds on that statement is skipped, and all else is judged.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
@@ -50,7 +51,12 @@ Examples:
 
 /// Audits documents and writes the verdicts.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let (audits, mut outcome) = audit_all(&arguments.documents);
+    let Audited {
+        audits,
+        messages,
+        mut outcome,
+        ..
+    } = audit_all(&arguments.documents);
     if let Some(wanted) = &arguments.explain {
         return explain(wanted, &audits, outcome, arguments);
     }
@@ -60,7 +66,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let width = width(arguments.width);
     let written = match arguments.format {
         Format::Text => joined(audits.iter().map(|audit| text::audit(audit, width))),
-        Format::Json => json::audits(&audits),
+        Format::Json => json::audits(&audits, &messages),
         Format::Markdown => joined(audits.iter().map(markdown::audit)),
         Format::Latex => latex::audits(&audits),
     };

@@ -16,9 +16,9 @@ use crate::report::evaluation::Evaluation;
 use crate::report::{json, text};
 
 use super::Outcome;
-use super::generate::{FixedParser, differs, refused, unknown};
+use super::generate::{FixedParser, differs, mistaken, refused, unknown};
 use super::output::{Results, complain, finish, width, wrong};
-use super::source::audit_all;
+use super::source::{Audited, audit_all};
 
 /// Computes what a document derives, at one point
 ///
@@ -58,9 +58,13 @@ Examples:
 
 /// Evaluates, or lists what can be evaluated.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let (mut audits, outcome) = audit_all(arguments.document.as_slice());
-    if audits.is_empty() {
-        return outcome;
+    let Audited {
+        mut audits,
+        outcome,
+        ..
+    } = audit_all(arguments.document.as_slice());
+    if outcome != Outcome::AsExpected {
+        return mistaken(outcome);
     }
     let Some(name) = &arguments.name else {
         return list(&mut audits, &[], arguments.format);

@@ -20,7 +20,7 @@ use crate::report::text;
 use super::Outcome;
 use super::folder::{self, State, Trouble, Written};
 use super::output::{complain, finish, wrong};
-use super::source::audit_all;
+use super::source::{Audited, audit_all};
 
 /// Writes what a document derives as source text, proven equal to the derivation
 ///
@@ -121,6 +121,12 @@ fn fixed(text: &str) -> Result<Fixed, String> {
     })
 }
 
+/// Nothing is computed from a document in which there is a mistake, which has been told.
+pub(super) fn mistaken(outcome: Outcome) -> Outcome {
+    complain("Nothing is compiled from a document in which there is a mistake.\n");
+    outcome
+}
+
 /// Nothing is computed from a document that is not as it says.
 pub(super) fn differs(audit: &Audit) -> Outcome {
     complain(&format!(
@@ -133,9 +139,13 @@ pub(super) fn differs(audit: &Audit) -> Outcome {
 
 /// Generates, and writes or checks.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let (mut audits, outcome) = audit_all(arguments.document.as_slice());
-    if audits.is_empty() {
-        return outcome;
+    let Audited {
+        mut audits,
+        outcome,
+        ..
+    } = audit_all(arguments.document.as_slice());
+    if outcome != Outcome::AsExpected {
+        return mistaken(outcome);
     }
     if let Some(audit) = audits.iter().find(|audit| !audit.as_expected()) {
         return differs(audit);

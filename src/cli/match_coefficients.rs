@@ -8,7 +8,7 @@ use crate::report::{json, latex, markdown, text};
 
 use super::Outcome;
 use super::output::{Format, complain, finish, width};
-use super::source::audit_all;
+use super::source::{Audited, audit_all};
 
 /// Shows the matchings of a document, power by power
 ///
@@ -39,16 +39,31 @@ Examples:
 
 /// Carries out the matchings of a document and writes them.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let (audits, outcome) = audit_all(arguments.document.as_slice());
-    if !audits.is_empty() && audits.iter().all(|audit| audit.matchings.is_empty()) {
+    let Audited {
+        audits,
+        messages,
+        outcome,
+        ..
+    } = audit_all(arguments.document.as_slice());
+    let has_none = |audit: &Audit| audit.matchings.is_empty() && audit.mistakes.is_empty();
+    if !audits.is_empty() && audits.iter().all(has_none) {
         complain("the document matches no polynomials: it has no `match`\n");
+    }
+    for skipped in audits.iter().flat_map(|audit| &audit.skipped) {
+        if skipped.what.starts_with("the matching") {
+            let reason = &skipped.basis.reason;
+            complain(&format!(
+                "line {}: {} is skipped: it {reason}\n",
+                skipped.line, skipped.what
+            ));
+        }
     }
     let width = width(arguments.width);
     let written = match arguments.format {
         Format::Text => joined(&audits, |path, matched| {
             text::matching(path, matched, width)
         }),
-        Format::Json => json::matchings(&audits),
+        Format::Json => json::matchings(&audits, &messages),
         Format::Markdown => joined(&audits, markdown::matching),
         Format::Latex => latex::matchings(&audits),
     };

@@ -5,9 +5,6 @@ use std::io::{self, IsTerminal, Write};
 use anstyle::AnsiColor;
 use clap::ValueEnum;
 
-use crate::derivation::audit::Rejected;
-use crate::derivation::diagnostic::{DiagnosticKind, render};
-
 use super::Outcome;
 
 /// The width where no terminal says how wide it is.
@@ -76,23 +73,6 @@ pub fn wrong(message: &str, help: &str) -> Outcome {
         "{alarm}Error:{alarm:#} {message}\n{hint}Help:{hint:#} {help}\n"
     ));
     Outcome::WrongInput
-}
-
-/// Writes what is wrong with a document.
-pub fn reject(rejected: &Rejected) -> Outcome {
-    for diagnostic in &rejected.diagnostics {
-        complain(&render(diagnostic, &rejected.source, true));
-    }
-    let mut kinds = rejected
-        .diagnostics
-        .iter()
-        .map(|diagnostic| diagnostic.kind);
-    // A disagreement of the two routes is a mistake of this program, not of the document.
-    if kinds.all(|kind| kind == DiagnosticKind::Disagreement) {
-        Outcome::Differs
-    } else {
-        Outcome::WrongInput
-    }
 }
 
 /// How many columns to fill: those asked for, or those of the terminal.

@@ -17,7 +17,7 @@ use super::Outcome;
 use super::case::{case_and_files, refuse};
 use super::file::{promising, write_made};
 use super::output::{complain, finish};
-use super::source::audit_all;
+use super::source::{Audited, audit_all};
 use super::speeds::USUAL_HIGHEST;
 
 /// Writes a derivation, its verdicts and a case as one HTML file
@@ -56,7 +56,7 @@ Examples:
 Exit status:
   0  the report is written, and all is as the document expects
   1  the report is written, and a verdict differs
-  2  the input is wrong, or the file cannot be written";
+  2  the input is wrong, where the report shows what is skipped; or the file cannot be written";
 
 /// Writes the report.
 pub fn run(arguments: &Arguments) -> Outcome {
@@ -84,8 +84,12 @@ pub fn run(arguments: &Arguments) -> Outcome {
         Ok(case) => case,
         Err(outcome) => return outcome,
     };
-    let (audits, outcome) = audit_all(arguments.document.as_slice());
-    if outcome != Outcome::AsExpected {
+    let Audited {
+        audits,
+        mut outcome,
+        ..
+    } = audit_all(arguments.document.as_slice());
+    if audits.is_empty() {
         return outcome;
     }
     let request = Request {
@@ -98,9 +102,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
     if let Err(outcome) = write_made(path, html::page(&request)) {
         return outcome;
     }
-    let mut outcome = Outcome::AsExpected;
     for audit in audits.iter().filter(|audit| !audit.as_expected()) {
-        outcome = Outcome::Differs;
+        outcome = outcome.max(Outcome::Differs);
         complain(&format!(
             "{}: {}\n",
             audit.path,

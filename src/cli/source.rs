@@ -1,38 +1,99 @@
 //! Reading documents from the disk.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::{ErrorKind, Read};
 
-use crate::derivation::audit::{Audit, Library, Rejected, audit_after};
-use crate::derivation::diagnostic::SourceFile;
+use crate::derivation::audit::{Audit, Library, audit_after};
+use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind, SourceFile, render};
 use crate::derivation::document::MAXIMUM_SIZE;
 use crate::documents::{ShippedLibrary, resolve, shipped};
+use crate::report::refusals::{MOST, Message, Messages};
+use crate::report::words::counted;
 
 use super::Outcome;
-use super::output::{reason, reject, wrong};
+use super::output::{complain, reason, wrong};
+
+/// What became of documents.
+pub struct Audited {
+    /// Those of which something could be read.
+    pub audits: Vec<Audit>,
+    /// What is wrong with them.
+    pub messages: Messages,
+    /// Whether something is.
+    pub outcome: Outcome,
+    /// The messages so far, since documents import each other.
+    known: BTreeSet<(String, usize, String)>,
+}
 
 /// Audits the documents with these paths, or those that come with the command where there are none.
 ///
 /// What is wrong with a document is written to standard error, and the others are audited all the same.
-pub fn audit_all(paths: &[String]) -> (Vec<Audit>, Outcome) {
-    let mut audits = Vec::new();
-    let mut outcome = Outcome::AsExpected;
-    let mut take = |source: Result<SourceFile, Outcome>, library: &dyn Library| {
-        let audited = source.and_then(|source| {
-            audit_after(&audits, &source, library).map_err(|rejected| reject(&rejected))
-        });
-        match audited {
-            Ok(audit) => audits.push(audit),
-            Err(failed) => outcome = outcome.max(failed),
-        }
+pub fn audit_all(paths: &[String]) -> Audited {
+    let mut audited = Audited {
+        audits: Vec::new(),
+        messages: Messages::default(),
+        outcome: Outcome::AsExpected,
+        known: BTreeSet::new(),
     };
     if paths.is_empty() {
-        shipped().for_each(|source| take(Ok(source), &ShippedLibrary));
+        shipped().for_each(|source| audited.audit(&source, &ShippedLibrary));
     }
     for path in paths {
-        take(read(path), &Disk);
+        match read(path) {
+            Ok(source) => audited.audit(&source, &Disk),
+            Err(Unread::Text(diagnostic, source)) => audited.tell(&diagnostic, &source),
+            Err(Unread::File(message)) => {
+                audited.outcome = wrong(&message.message, message.help.as_deref().unwrap_or(""));
+                audited.messages.told.push(message);
+            }
+        }
     }
-    (audits, outcome)
+    let left_out = audited.messages.left_out;
+    if left_out > 0 {
+        complain(&format!("… and {}\n", counted(left_out, "more mistake")));
+    }
+    audited
+}
+
+impl Audited {
+    fn audit(&mut self, source: &SourceFile, library: &dyn Library) {
+        match audit_after(&self.audits, source, library) {
+            Err(rejected) => {
+                for diagnostic in &rejected.diagnostics {
+                    self.tell(diagnostic, &rejected.source);
+                }
+            }
+            Ok(audit) => {
+                for mistake in &audit.mistakes {
+                    if let Some(source) = audit.source_of(mistake) {
+                        self.tell(&mistake.diagnostic, source);
+                    }
+                }
+                self.audits.push(audit);
+            }
+        }
+    }
+
+    /// Tells a mistake that was not told before.
+    fn tell(&mut self, diagnostic: &Diagnostic, source: &SourceFile) {
+        let place = diagnostic.span.start;
+        let key = (source.path.clone(), place, diagnostic.message.clone());
+        if !self.known.insert(key) {
+            return;
+        }
+        // A disagreement of the two routes is a mistake of this program, not of the document.
+        self.outcome = self.outcome.max(match diagnostic.kind {
+            DiagnosticKind::Disagreement => Outcome::Differs,
+            _ => Outcome::WrongInput,
+        });
+        if self.messages.told.len() >= MOST {
+            self.messages.left_out += 1;
+            return;
+        }
+        complain(&render(diagnostic, source, true));
+        self.messages.told.push(Message::new(diagnostic, source));
+    }
 }
 
 /// The documents on the disk, which import each other by paths relative to themselves.
@@ -46,17 +107,20 @@ impl Library for Disk {
     }
 }
 
-fn read(path: &str) -> Result<SourceFile, Outcome> {
+/// Why nothing is read.
+enum Unread {
+    /// There is no such file, say.
+    File(Message),
+    /// The file is no text.
+    Text(Diagnostic, SourceFile),
+}
+
+fn read(path: &str) -> Result<SourceFile, Unread> {
     // Spelled as an import would spell it, so that a document that imports itself is recognised.
     let name = resolve(&slashes(path), "");
-    let bytes = bytes_of(path).map_err(|error| unreadable(path, &error))?;
-    SourceFile::from_bytes(&name, &bytes).map_err(|error| {
-        let source = SourceFile::from_bytes_lossy(&name, &bytes);
-        reject(&Rejected {
-            source,
-            diagnostics: vec![error],
-        })
-    })
+    let bytes = bytes_of(path).map_err(|error| Unread::File(unreadable(path, &error)))?;
+    let source = SourceFile::from_bytes(&name, &bytes);
+    source.map_err(|error| Unread::Text(error, SourceFile::from_bytes_lossy(&name, &bytes)))
 }
 
 /// The bytes of a file, and one more than a document may have of a larger one.
@@ -67,14 +131,21 @@ fn bytes_of(path: &str) -> std::io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-fn unreadable(path: &str, error: &std::io::Error) -> Outcome {
+fn unreadable(path: &str, error: &std::io::Error) -> Message {
     let is_shipped = shipped().any(|document| document.path == path);
     let help = match error.kind() {
         ErrorKind::IsADirectory => "name the documents in it",
         _ if is_shipped => "this document comes with the command: leave its path away",
         _ => "name a Markdown document, or none for those that come with the command",
     };
-    wrong(&format!("`{path}` cannot be read: {}", reason(error)), help)
+    Message {
+        path: path.to_string(),
+        line: 1,
+        column: 1,
+        kind: DiagnosticKind::MissingFile.code(),
+        message: format!("`{path}` cannot be read: {}", reason(error)),
+        help: Some(help.to_string()),
+    }
 }
 
 /// A path with the separator that documents use.

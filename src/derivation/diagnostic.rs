@@ -187,6 +187,11 @@ impl SourceFile {
         Self::new(path, String::from_utf8_lossy(bytes))
     }
 
+    /// The line and the column of a place, both counted from 1, the column in characters.
+    pub fn line_and_column(&self, span: &Span) -> (usize, usize) {
+        position(&self.text, self.clamp(span).start)
+    }
+
     /// The nearest span that lies in the text and splits no character.
     fn clamp(&self, span: &Span) -> Span {
         let mut start = span.start.min(self.text.len());
@@ -246,9 +251,9 @@ pub fn render(diagnostic: &Diagnostic, source: &SourceFile, colour: bool) -> Str
         return format!("{path}: {}\n", diagnostic.message);
     }
     let rendered = String::from_utf8_lossy(&rendered);
-    let shown = position(&excerpt.text, place(&diagnostic.span).1.start);
-    let meant = position(&source.text, spans[0].start);
-    let (shown, meant) = (format!("{path}:{shown}"), format!("{path}:{meant}"));
+    let written = |(line, column)| format!("{path}:{line}:{column}");
+    let shown = written(position(&excerpt.text, place(&diagnostic.span).1.start));
+    let meant = written(position(&source.text, spans[0].start));
     rendered
         .replacen(&shown, &meant, 1)
         .lines()
@@ -256,8 +261,8 @@ pub fn render(diagnostic: &Diagnostic, source: &SourceFile, colour: bool) -> Str
         .collect()
 }
 
-/// `5:12`: the line and the column of a place, in characters.
-fn position(text: &str, place: usize) -> String {
+/// The line and the column of a place, in characters.
+fn position(text: &str, place: usize) -> (usize, usize) {
     let before = &text[..place];
     let line = before.matches('\n').count() + 1;
     let column = before
@@ -266,7 +271,7 @@ fn position(text: &str, place: usize) -> String {
         .take_while(|letter| *letter != '\n')
         .count()
         + 1;
-    format!("{line}:{column}")
+    (line, column)
 }
 
 /// The candidate that a misspelt name most probably means, if one is near enough.

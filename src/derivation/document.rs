@@ -1,9 +1,10 @@
 //! A document: the statements of all its blocks.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::cursor::Cursor;
 use super::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
+use super::intent::{Intent, Unread};
 use super::lexer::{self, LinePosition, Token, TokenKind};
 use super::markdown;
 use super::name::Aliases;
@@ -22,11 +23,13 @@ pub struct Document {
     pub title: Option<String>,
     /// The statements of its blocks, in order.
     pub statements: Vec<Statement>,
+    /// What of it is not understood, in order.
+    pub unread: Vec<Unread>,
     /// The ASCII spellings that it declares by `as`.
     pub aliases: Aliases,
 }
 
-/// Reads a document.
+/// Reads a document in which there is no mistake.
 ///
 /// # Errors
 ///
@@ -36,7 +39,8 @@ pub fn parse_document(source: &SourceFile) -> Result<Document, Vec<Diagnostic>> 
     parse_document_with(source, &Aliases::default())
 }
 
-/// Reads a document that imports others, with the spellings that those declare.
+/// Reads a document in which there is no mistake and that imports others, with the spellings that those
+/// declare.
 ///
 /// # Errors
 ///
@@ -45,41 +49,74 @@ pub fn parse_document_with(
     source: &SourceFile,
     imported: &Aliases,
 ) -> Result<Document, Vec<Diagnostic>> {
+    let document = read_document(source, imported).map_err(|error| vec![error])?;
+    if document.unread.is_empty() {
+        return Ok(document);
+    }
+    let errors = document.unread.into_iter().map(|unread| unread.diagnostic);
+    let mut errors: Vec<Diagnostic> = errors.collect();
+    errors.sort_by_key(|error| error.span.start);
+    errors.truncate(MAXIMUM_DIAGNOSTICS);
+    Err(errors)
+}
+
+/// Reads a document that imports others, with the spellings that those declare; what is not understood
+/// costs the statement or the block in which it stands.
+///
+/// # Errors
+///
+/// That it is too large, or that there is no statement at all.
+pub fn read_document(source: &SourceFile, imported: &Aliases) -> Result<Document, Diagnostic> {
     let text = source.text.as_str();
     if text.len() > MAXIMUM_SIZE {
         let message = format!("a document may have {MAXIMUM_SIZE} bytes");
-        return Err(vec![
-            Diagnostic::new(DiagnosticKind::Budget, 0..0, message)
-                .with_label(format!("this one has {}", text.len()))
-                .with_help("split it into documents that import each other"),
-        ]);
+        return Err(Diagnostic::new(DiagnosticKind::Budget, 0..0, message)
+            .with_label(format!("this one has {}", text.len()))
+            .with_help("split it into documents that import each other"));
     }
-    let (found, mut errors) = markdown::blocks(text);
+    let (found, errors) = markdown::blocks(text);
+    let unread_block = |diagnostic: Diagnostic| Unread {
+        span: diagnostic.span.clone(),
+        diagnostic,
+        intent: Intent::anything(),
+    };
+    let mut unread: Vec<Unread> = errors.into_iter().map(unread_block).collect();
     let mut statements = Vec::new();
     let mut aliases = imported.clone();
     for block in &found.blocks {
         let tokens = lexer::tokens(text, block);
         for range in statement_ranges(text, &tokens) {
-            match Cursor::new(text, &tokens[range], &mut aliases).statement() {
+            let tokens = &tokens[range];
+            match Cursor::new(text, tokens, &mut aliases).statement() {
                 Ok(statement) => statements.push(statement),
-                Err(error) => errors.push(error),
+                Err(diagnostic) => unread.push(Unread {
+                    span: span_of(tokens),
+                    diagnostic,
+                    intent: Intent::of_tokens(text, tokens, &aliases),
+                }),
             }
         }
     }
-    errors.extend(duplicate_labels(&statements));
-    if errors.is_empty() && statements.is_empty() {
-        errors.push(found.nothing_found());
+    unread.extend(take_duplicates(&mut statements));
+    if unread.is_empty() && statements.is_empty() {
+        return Err(found.nothing_found());
     }
-    if errors.is_empty() {
-        return Ok(Document {
-            title: found.title,
-            statements,
-            aliases,
-        });
+    unread.sort_by_key(|unread| unread.span.start);
+    Ok(Document {
+        title: found.title,
+        statements,
+        unread,
+        aliases,
+    })
+}
+
+/// From the first to the last of some tokens.
+fn span_of(tokens: &[Token]) -> Span {
+    match tokens {
+        [first, .., last] => first.span.start..last.span.end,
+        [only] => only.span.clone(),
+        [] => 0..0,
     }
-    errors.sort_by_key(|error| error.span.start);
-    errors.truncate(MAXIMUM_DIAGNOSTICS);
-    Err(errors)
 }
 
 /// Splits tokens into statements: one begins at the margin, outside of brackets.
@@ -129,32 +166,46 @@ fn surely_begins(text: &str, tokens: &[Token]) -> bool {
     is_keyword(word) && !is_entry || line.any(|kind| kind == TokenKind::Define)
 }
 
-/// An error for every label whose identifier an earlier one has.
-fn duplicate_labels(statements: &[Statement]) -> Vec<Diagnostic> {
+/// Takes out every statement with a label whose identifier an earlier one has.
+fn take_duplicates(statements: &mut Vec<Statement>) -> Vec<Unread> {
     let mut first: BTreeMap<&str, &Label> = BTreeMap::new();
-    let mut errors = Vec::new();
-    let taken: Vec<&str> = statements
-        .iter()
-        .filter_map(label_of)
-        .map(|l| &*l.id)
-        .collect();
-    for label in statements.iter().filter_map(label_of) {
-        let Some(earlier) = first.get(label.id.as_str()) else {
-            first.insert(&label.id, label);
+    let mut refused = BTreeMap::new();
+    let labels = statements.iter().filter_map(label_of);
+    let taken: BTreeSet<&str> = labels.map(|label| label.id.as_str()).collect();
+    for (place, statement) in statements.iter().enumerate() {
+        let Some(label) = label_of(statement) else {
             continue;
         };
-        let message = format!("two labels are called `{}`", label.id);
-        errors.push(
-            Diagnostic::new(DiagnosticKind::Duplicate, label.span.clone(), message)
-                .with_label("the same again")
-                .with_secondary(earlier.span.clone(), "the first one")
-                .with_help(format!(
-                    "give one of them a label that no other has, such as `{}`",
-                    label.free_variant(&taken)
-                )),
-        );
+        match first.get(label.id.as_str()) {
+            Some(earlier) => {
+                let unread = Unread {
+                    span: statement.span.clone(),
+                    diagnostic: duplicate(label, earlier, &taken),
+                    intent: Intent::of(statement),
+                };
+                refused.insert(place, unread);
+            }
+            None => drop(first.insert(&label.id, label)),
+        }
     }
-    errors
+    let mut place = 0..;
+    statements.retain(|_| {
+        place
+            .next()
+            .is_none_or(|place| !refused.contains_key(&place))
+    });
+    refused.into_values().collect()
+}
+
+fn duplicate(label: &Label, earlier: &Label, taken: &BTreeSet<&str>) -> Diagnostic {
+    let message = format!("two labels are called `{}`", label.id);
+    Diagnostic::new(DiagnosticKind::Duplicate, label.span.clone(), message)
+        .with_label("the same again")
+        .with_secondary(earlier.span.clone(), "the first one")
+        .with_help(format!(
+            "give one of them a label that no other has, such as `{}`",
+            label.free_variant(taken)
+        ))
 }
 
 fn label_of(statement: &Statement) -> Option<&Label> {

@@ -217,7 +217,7 @@ impl<'a> Court<'a> {
                 match agreement(sides, finding, graph_and_points) {
                     Ok(points) => self.found_true(finding, sides, points, claim),
                     Err(Disagreement::Fault) => {
-                        claim.is_fault = true;
+                        claim.fault = true;
                         claim.reason = Some(FAULT.to_owned());
                     }
                     Err(Disagreement::TooFew(failure)) => {
@@ -296,22 +296,11 @@ fn refuted(claim: &mut Claim, witness: Witness) {
 
 /// The claim that a finding is, before it is judged.
 fn undecided(finding: &Finding) -> Claim {
-    let assertion = &finding.assertion;
     Claim {
-        label: assertion.label.clone(),
-        line: assertion.line,
-        statement: assertion.relation.clone(),
-        description: assertion.description.clone(),
-        expectation: assertion.expectation,
-        verdict: Verdict::Undecided,
         conditions: finding.conditions.clone(),
-        neglected: None,
         residual: finding.residual.clone(),
-        witness: None,
-        reason: None,
-        is_fault: false,
         sides: finding.sides.clone(),
-        points: 0,
+        ..Claim::undecided(&finding.assertion)
     }
 }
 

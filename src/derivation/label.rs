@@ -1,5 +1,7 @@
 //! The labels of assertions: `(8, printed)`, `[centre of rotation]`.
 
+use std::collections::BTreeSet;
+
 use unicode_normalization::UnicodeNormalization;
 
 use super::cursor::{Cursor, Parsed};
@@ -45,15 +47,23 @@ impl Cursor<'_> {
 }
 
 impl Label {
+    /// `(8, printed)` or `[centre of rotation]`, as the document writes it.
+    pub fn written(&self) -> String {
+        match self.equation {
+            Some(_) => format!("({})", self.text),
+            None => format!("[{}]", self.text),
+        }
+    }
+
     /// This label with the first number that makes it another than all that are taken, as it would
     /// stand in the document.
-    pub(crate) fn free_variant(&self, taken: &[&str]) -> String {
+    pub(crate) fn free_variant(&self, taken: &BTreeSet<&str>) -> String {
         let (number, rest) = match self.text.split_once(',') {
             Some((number, rest)) => (number, format!(",{rest}")),
             None => (self.text.as_str(), String::new()),
         };
         let variants = (2..).map(|count| format!("{number}, {count}{rest}"));
-        let mut free = variants.filter(|text| !taken.contains(&identifier(text).as_str()));
+        let mut free = variants.filter(|text| !taken.contains(identifier(text).as_str()));
         let text = free.next().unwrap_or_default();
         match self.equation {
             Some(_) => format!("({text})"),

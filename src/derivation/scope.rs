@@ -183,6 +183,15 @@ impl Scope {
             .for_each(|entry| entry.span = None);
     }
 
+    /// Forgets the names that were declared at a place, because the statement there is refused.
+    pub fn forget(&mut self, place: &Span) {
+        let is_elsewhere = |entry: &Entry| {
+            let own = entry.span.as_ref();
+            own.is_none_or(|own| own.start < place.start || own.end > place.end)
+        };
+        self.entries.retain(|_, entry| is_elsewhere(entry));
+    }
+
     /// The entry of a name, if it has one.
     pub fn get(&self, name: &Name) -> Option<&Entry> {
         self.entries.get(&name.ascii)

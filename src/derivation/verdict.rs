@@ -2,6 +2,7 @@
 
 use crate::algebra::number::Rational;
 
+use super::assertion::Assertion;
 use super::condition::Requirement;
 use super::quantity::Value;
 use super::syntax::{Expectation, Expression, Label, Name, Relation};
@@ -21,6 +22,8 @@ pub enum Verdict {
     IllFormed,
     /// The engine cannot tell.
     Undecided,
+    /// Not judged: it builds on a statement that was refused.
+    Skipped,
 }
 
 impl Verdict {
@@ -33,10 +36,12 @@ impl Verdict {
             Verdict::Refuted => "refuted",
             Verdict::IllFormed => "ill-formed",
             Verdict::Undecided => "undecided",
+            Verdict::Skipped => "skipped",
         }
     }
 
-    /// Whether an author who expected this got it; `undecided` is never expected.
+    /// Whether an author who expected this got it; `undecided` and `skipped` are never
+    /// expected.
     pub const fn meets(self, expectation: Expectation) -> bool {
         matches!(
             (expectation, self),
@@ -107,17 +112,37 @@ pub struct Claim {
     pub residual: Option<Expression>,
     /// Of a refutation, where the sides differ.
     pub witness: Option<Witness>,
-    /// Why an assertion is ill-formed or undecided.
+    /// Why an assertion is ill-formed, undecided or skipped.
     pub reason: Option<String>,
-    /// Whether the two routes contradict each other, which is a mistake of this program.
-    pub is_fault: bool,
     /// The normal forms of both sides; nothing where they cannot be compared.
     pub sides: Option<(Value, Value)>,
     /// At how many random points both sides were compared and found equal.
     pub points: usize,
+    /// Whether it is undecided since the two routes disagree, which is a mistake of this program.
+    pub fault: bool,
 }
 
 impl Claim {
+    /// The claim that an assertion is, before anything is found of it.
+    pub fn undecided(assertion: &Assertion) -> Self {
+        Claim {
+            label: assertion.label.clone(),
+            line: assertion.line,
+            statement: assertion.relation.clone(),
+            description: assertion.description.clone(),
+            expectation: assertion.expectation,
+            verdict: Verdict::Undecided,
+            conditions: Vec::new(),
+            neglected: None,
+            residual: None,
+            witness: None,
+            reason: None,
+            sides: None,
+            points: 0,
+            fault: false,
+        }
+    }
+
     /// Whether the assertion quotes the source: its label ends in `printed` or in `stated`.
     pub fn is_quotation(&self) -> bool {
         let last = self.label.text.rsplit(',').next().unwrap_or_default();

@@ -94,7 +94,11 @@ pub fn route(claim: &Claim) -> String {
             "the sides differ at an exact point that satisfies everything assumed".into()
         }
         Verdict::IllFormed => "the sides cannot be compared, so nothing was computed".into(),
+        Verdict::Undecided if claim.fault => {
+            "the two routes disagree, so it does not count as true".into()
+        }
         Verdict::Undecided => "neither route could decide it, so it does not count as true".into(),
+        Verdict::Skipped => "it builds on what is refused, so nothing was computed".into(),
     }
 }
 

@@ -11,7 +11,7 @@ use crate::derivation::verdict::{Claim, Verdict};
 use super::details::{Extent, details};
 use super::phrase::Phrase;
 use super::summary::Summary;
-use super::{residuals, words};
+use super::{premises, refusals, residuals, words};
 use escape::{Prose, literal};
 
 const PREAMBLE: &str = r"\documentclass{article}
@@ -61,6 +61,11 @@ fn audit(audit: &Audit) -> String {
     let mut page = format!("\\section*{{{title}}}\n");
     page += &format!("The verdicts on \\texttt{{{}}}. ", literal(&audit.path));
     page += &format!("{}\n", literal(&summary.conclusion()));
+    let premises = premises::lines(audit, Notation::Latex);
+    let premises = premises
+        .iter()
+        .map(|(keyword, line)| format!("{keyword} {}", phrase(line, prose)));
+    page += &items("", premises);
     if !summary.counts.is_empty() {
         let rows = summary.counts.iter().map(|(verdict, count)| {
             format!("{} {} & {count} \\\\\n", mark(*verdict), verdict.text())
@@ -70,16 +75,14 @@ fn audit(audit: &Audit) -> String {
     }
     page += &matchings_overview(summary.matchings, prose);
     for (heading, claims) in summary.failures() {
-        let items = claims.iter().map(|claim| {
-            format!(
-                "\\item {} {}\n",
-                prose.escape(&words::label(&claim.label)),
-                description(claim, prose)
-            )
+        let claims = claims.iter().map(|claim| {
+            let label = prose.escape(&words::label(&claim.label));
+            format!("{label} {}", description(claim, prose))
         });
-        let items: String = items.collect();
-        page +=
-            &format!("\n\\subsection*{{{heading}}}\n\\begin{{itemize}}\n{items}\\end{{itemize}}\n");
+        page += &items(heading, claims);
+    }
+    for (heading, lines) in refusals::lists(audit) {
+        page += &items(heading, lines.iter().map(|line| prose.escape(line)));
     }
     if !audit.claims.is_empty() {
         page += "\n\\subsection*{Verdicts}\n";
@@ -92,16 +95,25 @@ fn audit(audit: &Audit) -> String {
 
 /// A line for each matching; nothing where there is none.
 fn matchings_overview(matchings: &[Matched], prose: &Prose) -> String {
-    let items = matchings.iter().map(|matched| {
+    let lines = matchings.iter().map(|matched| {
         let label = prose.escape(&words::label(&matched.label));
         let overview = phrase(&residuals::overview(matched, Notation::Latex), prose);
-        format!("\\item {label} {overview}\n")
+        format!("{label} {overview}")
     });
-    let items: String = items.collect();
-    if items.is_empty() {
-        return items;
+    items("Matchings", lines)
+}
+
+/// A list below a heading, if it has one; nothing where the list is empty.
+fn items(heading: &str, lines: impl Iterator<Item = String>) -> String {
+    let lines: String = lines.map(|line| format!("\\item {line}\n")).collect();
+    if lines.is_empty() {
+        return lines;
     }
-    format!("\n\\subsection*{{Matchings}}\n\\begin{{itemize}}\n{items}\\end{{itemize}}\n")
+    let heading = match heading {
+        "" => String::new(),
+        heading => format!("\\subsection*{{{heading}}}\n"),
+    };
+    format!("\n{heading}\\begin{{itemize}}\n{lines}\\end{{itemize}}\n")
 }
 
 fn claim(claim: &Claim, prose: &Prose) -> String {
@@ -204,6 +216,7 @@ const fn mark(verdict: Verdict) -> &'static str {
         Verdict::Approximate => r"$\approx$",
         Verdict::Refuted | Verdict::IllFormed => r"$\times$",
         Verdict::Undecided => "?",
+        Verdict::Skipped => "--",
     }
 }
 

@@ -11,7 +11,7 @@ use crate::derivation::verdict::Claim;
 use super::details::{Detail, Extent, details};
 use super::phrase::Phrase;
 use super::summary::Summary;
-use super::{residuals, words};
+use super::{premises, refusals, residuals, words};
 
 /// Characters that mean something to Markdown within a line.
 const SPECIAL: &str = r"\`*_[]<>|$#~&";
@@ -21,7 +21,10 @@ pub fn audit(audit: &Audit) -> String {
     let summary = Summary::new(audit);
     let title = audit.title.as_deref().unwrap_or(&audit.path);
     let mut page = format!("# {}\n\nThe verdicts on `{}`.\n", escape(title), audit.path);
-    page += &format!("**{}**\n", escape(&summary.conclusion()));
+    page += &format!("**{}**\n\n", escape(&summary.conclusion()));
+    for (keyword, line) in premises::lines(audit, Notation::Latex) {
+        page += &format!("- {keyword} {}\n", phrase(&line));
+    }
     if !summary.counts.is_empty() {
         page += "\n| verdict | count |\n|---|---:|\n";
     }
@@ -41,6 +44,10 @@ pub fn audit(audit: &Audit) -> String {
         for claim in claims {
             page += &format!("- {}{}\n", name(claim), description(claim, ": "));
         }
+    }
+    for (heading, lines) in refusals::lists(audit) {
+        let lines: Vec<String> = lines.iter().map(|line| escape(line)).collect();
+        page += &format!("\n## {heading}\n\n- {}\n", lines.join("\n- "));
     }
     if !audit.claims.is_empty() {
         page += "\n## Verdicts\n\n| verdict | of | says | with |\n|---|---|---|---|\n";

@@ -20,6 +20,8 @@ pub mod markdown;
 #[cfg(feature = "stability")]
 pub mod modes;
 pub mod phrase;
+pub mod premises;
+pub mod refusals;
 pub mod residuals;
 #[cfg(feature = "stability")]
 pub mod speeds;

@@ -56,6 +56,13 @@ impl Phrase {
         self
     }
 
+    /// Appends another phrase.
+    #[must_use]
+    pub fn then(mut self, other: Phrase) -> Self {
+        self.pieces.extend(other.pieces);
+        self
+    }
+
     /// The parts, in reading order.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces

@@ -1,19 +1,21 @@
 //! A document's verdicts at a glance.
 
-use crate::derivation::audit::Audit;
+use crate::derivation::audit::{Audit, Mistake};
+use crate::derivation::diagnostic::DiagnosticKind;
 use crate::derivation::matching::Matched;
 use crate::derivation::verdict::{Claim, Verdict};
 
 use super::words;
 
 /// The verdicts, in the order in which they are counted.
-const VERDICTS: [Verdict; 6] = [
+const VERDICTS: [Verdict; 7] = [
     Verdict::Holds,
     Verdict::HoldsWhere,
     Verdict::Approximate,
     Verdict::Refuted,
     Verdict::IllFormed,
     Verdict::Undecided,
+    Verdict::Skipped,
 ];
 
 /// What a document's verdicts come to.
@@ -29,7 +31,17 @@ pub struct Summary<'a> {
     pub surprises: Vec<&'a Claim>,
     /// What was matched.
     pub matchings: &'a [Matched],
+    /// How many assertions were judged.
     total: usize,
+    /// How many mistakes there are in the document and in its imports.
+    mistakes: usize,
+    /// How many statements are skipped for them.
+    skipped: usize,
+}
+
+/// Whether a mistake is one of the document, and not of this program.
+fn is_of_document(mistake: &&Mistake) -> bool {
+    mistake.diagnostic.kind != DiagnosticKind::Disagreement
 }
 
 impl<'a> Summary<'a> {
@@ -56,10 +68,12 @@ impl<'a> Summary<'a> {
             surprises: audit
                 .claims
                 .iter()
-                .filter(|claim| !claim.as_expected())
+                .filter(|claim| words::is_surprise(claim))
                 .collect(),
             matchings: &audit.matchings,
-            total: audit.claims.len(),
+            total: audit.claims.len() - count(Verdict::Skipped),
+            mistakes: audit.mistakes.iter().filter(is_of_document).count(),
+            skipped: audit.skipped.len(),
         }
     }
 
@@ -75,9 +89,29 @@ impl<'a> Summary<'a> {
         lists.into_iter().filter(|(_, claims)| !claims.is_empty())
     }
 
-    /// Whether all is as the document expects, in a sentence.
+    /// Whether all is as the document expects, in a sentence; mistakes in one before it.
     pub fn conclusion(&self) -> String {
+        let mistakes = words::counted(self.mistakes, "mistake");
+        let skipped = words::counted(self.skipped, "statement");
+        match (self.mistakes, self.skipped) {
+            (0, _) => self.verdicts(),
+            (1, 0) => format!("There is 1 mistake. {}", self.verdicts()),
+            (1, _) => format!(
+                "There is 1 mistake, and {skipped} skipped for it. {}",
+                self.verdicts()
+            ),
+            (_, 0) => format!("There are {mistakes}. {}", self.verdicts()),
+            _ => format!(
+                "There are {mistakes}, and {skipped} skipped for them. {}",
+                self.verdicts()
+            ),
+        }
+    }
+
+    /// Whether what was judged is as the document expects, in a sentence.
+    fn verdicts(&self) -> String {
         match (self.total, self.surprises.len()) {
+            (0, _) if self.mistakes > 0 => "No assertion was judged.".into(),
             (0, _) if self.matchings.is_empty() => {
                 "Nothing was checked: the document only declares, and asserts and matches nothing."
                     .into()

@@ -4,17 +4,14 @@ use crate::algebra::number::Rational;
 use crate::derivation::condition::Requirement;
 use crate::derivation::matching::{Matched, Row, Singularity};
 use crate::derivation::notation::Notation;
-use crate::derivation::syntax::{BinaryOperator, Expectation, Expression, Label, Node};
+use crate::derivation::syntax::{BinaryOperator, Expectation, Expression, Label, Node, Sign};
 use crate::derivation::verdict::{Claim, Condition, Coordinate, Verdict};
 
 use super::phrase::Phrase;
 
 /// `(8, printed)` or `[centre of rotation]`, as the document writes it.
 pub fn label(label: &Label) -> String {
-    match label.equation {
-        Some(_) => format!("({})", label.text),
-        None => format!("[{}]", label.text),
-    }
+    label.written()
 }
 
 /// One character that stands for a verdict.
@@ -24,6 +21,7 @@ pub const fn mark(verdict: Verdict) -> &'static str {
         Verdict::Approximate => "≈",
         Verdict::Refuted | Verdict::IllFormed => "✗",
         Verdict::Undecided => "?",
+        Verdict::Skipped => "–",
     }
 }
 
@@ -60,10 +58,15 @@ pub const fn fails(verdict: Verdict) -> bool {
     matches!(verdict, Verdict::Refuted | Verdict::IllFormed)
 }
 
+/// Whether a claim has a verdict, and not the one that the author expects.
+pub fn is_surprise(claim: &Claim) -> bool {
+    claim.verdict != Verdict::Skipped && !claim.as_expected()
+}
+
 /// `NOT AS EXPECTED: the document expects “holds”`, of a verdict that the author does not expect.
 pub fn surprise(claim: &Claim) -> Option<String> {
     let expected = expectation(claim.expectation);
-    (!claim.as_expected()).then(|| format!("NOT AS EXPECTED: the document expects “{expected}”"))
+    is_surprise(claim).then(|| format!("NOT AS EXPECTED: the document expects “{expected}”"))
 }
 
 /// What a claim says; an approximation has `≈`.
@@ -71,6 +74,23 @@ pub fn statement(claim: &Claim, notation: Notation) -> String {
     match claim.expectation {
         Expectation::Approximate => notation.approximation(&claim.statement),
         _ => notation.relation(&claim.statement),
+    }
+}
+
+/// `> 0`, `≠ 0`: a declared sign.
+pub const fn sign(sign: Sign, notation: Notation) -> &'static str {
+    match (sign, notation) {
+        (Sign::Positive, _) => "> 0",
+        (Sign::NonNegative, Notation::Unicode) => "≥ 0",
+        (Sign::NonNegative, Notation::Ascii) => ">= 0",
+        (Sign::NonNegative, Notation::Latex) => r"\ge 0",
+        (Sign::NonZero, Notation::Unicode) => "≠ 0",
+        (Sign::NonZero, Notation::Ascii) => "!= 0",
+        (Sign::NonZero, Notation::Latex) => r"\ne 0",
+        (Sign::Negative, _) => "< 0",
+        (Sign::NonPositive, Notation::Unicode) => "≤ 0",
+        (Sign::NonPositive, Notation::Ascii) => "<= 0",
+        (Sign::NonPositive, Notation::Latex) => r"\le 0",
     }
 }
 

@@ -103,7 +103,7 @@ fn judged(found: &str, evaluated: &str) -> (Verdict, bool) {
     let mut finding = elaborator.find(&assertion(found)).expect(found);
     finding.assertion = assertion(evaluated);
     let claims = judged_by_points(&elaborator, &[finding], &[]).expect(found);
-    (claims[0].verdict, claims[0].is_fault)
+    (claims[0].verdict, claims[0].fault)
 }
 
 #[test]

@@ -111,7 +111,8 @@ pub(super) fn assumptions(inputs: &[(Symbol, Input)], audit: &Audit) -> Vec<Stri
         }
         all
     };
-    let relations = audit.assumptions.iter().filter(is_about_inputs);
+    let relations = audit.assumptions.iter().map(|own| &own.relation);
+    let relations = relations.filter(is_about_inputs);
     signs
         .chain(relations.map(|relation| Notation::Unicode.relation(relation)))
         .collect()

@@ -16,6 +16,7 @@ use crate::derivation::syntax::{
 use crate::derivation::unit::Unit;
 
 use super::reader::Reader;
+use super::{Assumption, Declaration};
 
 impl Reader<'_> {
     /// Declares what a statement declares; other statements declare nothing.
@@ -41,6 +42,11 @@ impl Reader<'_> {
                         description,
                     )?;
                 }
+                self.declarations.extend(sign.map(|sign| Declaration {
+                    names: names.iter().map(|name| name.value.clone()).collect(),
+                    sign,
+                    place: self.here.clone(),
+                }));
                 Ok(())
             }
             StatementKind::Complex {
@@ -135,7 +141,18 @@ impl Reader<'_> {
                 }
                 Ok(())
             }
-            StatementKind::Assume { relation, .. } => self.assume(relation, &statement.span),
+            StatementKind::Assume {
+                relation,
+                description,
+            } => {
+                self.assume(relation, &statement.span)?;
+                self.assumptions.push(Assumption {
+                    relation: relation.clone(),
+                    description: description.clone(),
+                    place: self.here.clone(),
+                });
+                Ok(())
+            }
             StatementKind::Definition {
                 names,
                 arguments,
@@ -256,7 +273,6 @@ impl Reader<'_> {
             assumptions.assume_symbol(symbol, of_symbol);
         }
         assumptions.assume_polynomial(above, signs);
-        self.assumptions.push(relation.clone());
         Ok(())
     }
 

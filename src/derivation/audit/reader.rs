@@ -1,25 +1,31 @@
 //! Reads documents into one scope, statement by statement.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::budget::Budget;
 use crate::algebra::sign::Signs;
 use crate::derivation::assertion::{Assertion, Finding};
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
-use crate::derivation::document::{Document, parse_document_with};
 use crate::derivation::domain::Domain;
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::evaluator::Evaluator;
+use crate::derivation::intent::{Intent, Unread};
 use crate::derivation::judge::matching::MatchingCheck;
 use crate::derivation::matching::Matched;
 use crate::derivation::name::Aliases;
+use crate::derivation::notation::Notation;
 use crate::derivation::quantity::Quantity;
 use crate::derivation::scope::Meaning;
 use crate::derivation::syntax::{
-    BinaryOperator, Comparison, Expectation, Expression, Relation, Statement, StatementKind,
+    BinaryOperator, Comparison, Expectation, Expression, Name, Relation, Spanned, Statement,
+    StatementKind,
 };
+use crate::derivation::verdict::{Claim, Verdict};
 
-use super::{Audit, Library, Rejected, STEPS, rejected};
+use super::import::Failed;
+use super::judgement::FailedMatchings;
+use super::refusal::{Reason, Refusals};
+use super::{Assumption, Audit, Declaration, Library, Place, Rejected, STEPS, Skipped};
 
 /// Reads documents into one scope.
 pub(super) struct Reader<'a> {
@@ -27,16 +33,25 @@ pub(super) struct Reader<'a> {
     pub(super) library: &'a dyn Library,
     /// The documents that were audited before.
     pub(super) earlier: &'a [Audit],
-    pub(super) assumptions: Vec<Relation>,
+    pub(super) assumptions: Vec<Assumption>,
+    pub(super) declarations: Vec<Declaration>,
     /// The documents that are being read, each imported by the one before it.
     pub(super) open: Vec<String>,
     /// The documents that were imported, each behind those that it imports.
     pub(super) finished: Vec<SourceFile>,
+    /// Those of them of which nothing could be read.
+    pub(super) unreadable: BTreeSet<String>,
     pub(super) aliases: Aliases,
     /// What the documents want compiled, imported ones included.
     pub(super) evaluators: Vec<Evaluator>,
     /// Where the quantities lie in practice.
     pub(super) domain: Domain,
+    /// What is wrong, and what that leaves without a meaning.
+    pub(super) refusals: Refusals,
+    /// Matchings that do not stand at points, as an earlier reading showed.
+    failed: FailedMatchings,
+    /// The statement that is being read.
+    pub(super) here: Place,
 }
 
 /// What a document says beyond its declarations.
@@ -47,62 +62,172 @@ pub(super) struct Read {
     pub(super) matchings: Vec<Matched>,
     pub(super) evaluators: Vec<Evaluator>,
     pub(super) checks: Vec<MatchingCheck>,
+    /// Assertions that build on refused statements.
+    pub(super) skipped_claims: Vec<Claim>,
+    pub(super) skipped: Vec<Skipped>,
+}
+
+/// What is read in turn.
+enum Item {
+    Statement(Statement),
+    Unread(Unread),
+}
+
+impl Item {
+    fn start(&self) -> usize {
+        match self {
+            Item::Statement(statement) => statement.span.start,
+            Item::Unread(unread) => unread.span.start,
+        }
+    }
 }
 
 impl<'a> Reader<'a> {
     /// A reader that has read nothing.
-    pub(super) fn new(library: &'a dyn Library, earlier: &'a [Audit]) -> Self {
+    pub(super) fn new(
+        library: &'a dyn Library,
+        earlier: &'a [Audit],
+        failed: FailedMatchings,
+    ) -> Self {
         Reader {
             elaborator: Elaborator::new(Budget::new(STEPS)),
             library,
             earlier,
             assumptions: Vec::new(),
+            declarations: Vec::new(),
             open: Vec::new(),
             finished: Vec::new(),
+            unreadable: BTreeSet::new(),
             aliases: Aliases::default(),
             evaluators: Vec::new(),
             domain: Domain::default(),
+            refusals: Refusals::default(),
+            failed,
+            here: Place {
+                path: String::new(),
+                line: 1,
+            },
         }
     }
 
     /// Reads a document and what it imports.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] where nothing of the document itself can be read.
     pub(super) fn read(&mut self, source: &SourceFile) -> Result<Read, Box<Rejected>> {
-        let reject = |diagnostics| rejected(source, diagnostics);
-        let mut read = Read::default();
-        // Imports come first: they declare spellings that the rest is parsed with.
-        let document: Document = loop {
-            let document = parse_document_with(source, &self.aliases).map_err(reject)?;
-            if self.import(&document, source)? == 0 {
-                break document;
-            }
-        };
+        let (document, failed) = self.read_with_imports(source)?;
         self.aliases.extend(&document.aliases);
+        let mut read = Read {
+            title: document.title,
+            ..Read::default()
+        };
+        let statements = document.statements.into_iter().map(Item::Statement);
+        let unread = document.unread.into_iter().map(Item::Unread);
+        let mut items: Vec<Item> = statements.chain(unread).collect();
+        items.sort_by_key(Item::start);
+        let lines = lines(&source.text, items.iter().map(Item::start));
+        for (item, line) in items.iter().zip(&lines) {
+            if let Some(import) = failed.get(&item.start()) {
+                self.step_to(source, *line);
+                self.lose_import(import);
+            }
+        }
         self.elaborator.scope.leave_document();
-        read.title.clone_from(&document.title);
-        let (mut line, mut counted) = (1, 0);
-        for statement in &document.statements {
-            self.elaborator.fresh();
-            let between = source.text.get(counted..statement.span.start);
-            line += between.unwrap_or_default().matches('\n').count();
-            counted = statement.span.start;
-            self.execute(statement, line, &mut read)
-                .map_err(|error| reject(vec![error]))?;
+        for (item, line) in items.into_iter().zip(lines) {
+            self.step_to(source, line);
+            match item {
+                Item::Statement(statement) => self.step(&statement, &mut read),
+                Item::Unread(unread) => self.refuse(unread.diagnostic, &unread.intent),
+            }
         }
         Ok(read)
     }
 
-    fn execute(
-        &mut self,
-        statement: &Statement,
-        line: usize,
-        read: &mut Read,
-    ) -> Result<(), Diagnostic> {
-        if let Some(assertion) = self.assertion(statement, line)? {
+    fn step_to(&mut self, source: &SourceFile, line: usize) {
+        let path = source.path.clone();
+        self.here = Place { path, line };
+    }
+
+    fn lose_import(&mut self, import: &Failed) {
+        if let Some(diagnostic) = &import.diagnostic {
+            self.refusals.note(diagnostic.clone(), &self.here.path);
+        }
+        let scope = &self.elaborator.scope;
+        self.refusals
+            .lose_import(&import.path.value, &self.here, scope);
+    }
+
+    /// Carries out a statement, or says why not.
+    fn step(&mut self, statement: &Statement, read: &mut Read) {
+        self.elaborator.fresh();
+        if let Some(reason) = self.refusals.reason(statement, &self.elaborator.scope) {
+            return self.pass_over(statement, &reason, read);
+        }
+        if let Err(diagnostic) = self.execute(statement, read) {
+            self.elaborator.scope.forget(&statement.span);
+            match self.missing_assumption(statement, diagnostic.kind) {
+                Some(reason) => self.pass_over(statement, &reason, read),
+                None => self.refuse(diagnostic, &Intent::of(statement)),
+            }
+        }
+    }
+
+    /// The assumption that is not made and from which a sign may follow without which a statement is not
+    /// understood.
+    fn missing_assumption(&self, statement: &Statement, kind: DiagnosticKind) -> Option<Reason> {
+        let scope = &self.elaborator.scope;
+        if kind != DiagnosticKind::Unsupported {
+            return None;
+        }
+        let uncertain = self.refusals.uncertain(&self.assumptions, scope);
+        let mentions = statement.mentions();
+        let names = mentions.iter().map(|mention| &mention.name);
+        uncertain.reason(names, scope)
+    }
+
+    fn refuse(&mut self, diagnostic: Diagnostic, intent: &Intent) {
+        let scope = &self.elaborator.scope;
+        self.refusals.refuse(diagnostic, intent, &self.here, scope);
+    }
+
+    fn pass_over(&mut self, statement: &Statement, reason: &Reason, read: &mut Read) {
+        let basis = reason.basis(&self.here.path);
+        if let Some(assertion) = asserted(statement, self.here.line) {
+            let reason = Some(format!("it {}", basis.reason));
+            read.skipped_claims.push(Claim {
+                verdict: Verdict::Skipped,
+                reason,
+                ..Claim::undecided(&assertion)
+            });
+        }
+        read.skipped.push(Skipped {
+            span: statement.span.clone(),
+            line: self.here.line,
+            what: what(&statement.kind),
+            basis,
+        });
+        let scope = &self.elaborator.scope;
+        self.refusals
+            .pass_over(statement, reason, &self.here, scope);
+    }
+
+    fn execute(&mut self, statement: &Statement, read: &mut Read) -> Result<(), Diagnostic> {
+        if let Some(assertion) = asserted(statement, self.here.line) {
+            if let StatementKind::Eigenpair { vector, .. } = &statement.kind {
+                self.non_zero_vector(vector)?;
+            }
             read.findings.push(self.elaborator.find(&assertion)?);
             return Ok(());
         }
         if let StatementKind::Match(matching) = &statement.kind {
-            let matched = self.elaborator.match_coefficients(matching, line)?;
+            let label = (self.here.path.clone(), matching.label.span.start);
+            if let Some(diagnostic) = self.failed.get(&label) {
+                return Err(diagnostic.clone());
+            }
+            let matched = self
+                .elaborator
+                .match_coefficients(matching, self.here.line)?;
             read.checks
                 .push(MatchingCheck::new(&matched, &statement.span));
             read.matchings.push(matched);
@@ -117,59 +242,6 @@ impl<'a> Reader<'a> {
             return self.domain.extend(stated, &mut self.elaborator);
         }
         self.declare(statement)
-    }
-
-    /// What a statement asserts, if it does; of an eigenpair A·v = λ·B·v.
-    fn assertion(
-        &mut self,
-        statement: &Statement,
-        line: usize,
-    ) -> Result<Option<Assertion>, Diagnostic> {
-        let span = statement.span.clone();
-        match &statement.kind {
-            StatementKind::Assertion {
-                expectation,
-                label,
-                relation,
-                order,
-                description,
-            } => Ok(Some(Assertion {
-                label: label.clone(),
-                expectation: *expectation,
-                relation: relation.clone(),
-                order: order.clone(),
-                description: description.clone(),
-                line,
-                span,
-            })),
-            StatementKind::Eigenpair {
-                label,
-                stiffness,
-                mass,
-                value,
-                vector,
-                description,
-            } => {
-                self.non_zero_vector(vector)?;
-                let product = |a: &Expression, b: Expression| {
-                    Expression::binary(BinaryOperator::Multiply, a.clone(), b)
-                };
-                Ok(Some(Assertion {
-                    label: label.clone(),
-                    expectation: Expectation::Holds,
-                    relation: Relation {
-                        left: product(stiffness, vector.clone()),
-                        comparison: Comparison::Equal,
-                        right: product(value, product(mass, vector.clone())),
-                    },
-                    order: None,
-                    description: description.clone(),
-                    line,
-                    span,
-                }))
-            }
-            _ => Ok(None),
-        }
     }
 
     fn non_zero_vector(&mut self, vector: &Expression) -> Result<(), Diagnostic> {
@@ -200,5 +272,99 @@ impl<'a> Reader<'a> {
                 _ => None,
             })
             .collect()
+    }
+}
+
+/// The lines of places that follow each other, counted from 1.
+fn lines(text: &str, places: impl Iterator<Item = usize>) -> Vec<usize> {
+    let (mut line, mut counted) = (1, 0);
+    let mut line_of = |place: usize| {
+        let between = text.as_bytes().get(counted..place).unwrap_or_default();
+        line += between.iter().filter(|byte| **byte == b'\n').count();
+        counted = counted.max(place);
+        line
+    };
+    places.map(&mut line_of).collect()
+}
+
+/// What a statement asserts, if it does; of an eigenpair A·v = λ·B·v.
+fn asserted(statement: &Statement, line: usize) -> Option<Assertion> {
+    let span = statement.span.clone();
+    match &statement.kind {
+        StatementKind::Assertion {
+            expectation,
+            label,
+            relation,
+            order,
+            description,
+        } => Some(Assertion {
+            label: label.clone(),
+            expectation: *expectation,
+            relation: relation.clone(),
+            order: order.clone(),
+            description: description.clone(),
+            line,
+            span,
+        }),
+        StatementKind::Eigenpair {
+            label,
+            stiffness,
+            mass,
+            value,
+            vector,
+            description,
+        } => {
+            let product = |a: &Expression, b: Expression| {
+                Expression::binary(BinaryOperator::Multiply, a.clone(), b)
+            };
+            Some(Assertion {
+                label: label.clone(),
+                expectation: Expectation::Holds,
+                relation: Relation {
+                    left: product(stiffness, vector.clone()),
+                    comparison: Comparison::Equal,
+                    right: product(value, product(mass, vector.clone())),
+                },
+                order: None,
+                description: description.clone(),
+                line,
+                span,
+            })
+        }
+        _ => None,
+    }
+}
+
+/// What a statement is, in words.
+fn what(statement: &StatementKind) -> String {
+    let list = |names: &[Spanned<Name>]| {
+        let names: Vec<String> = names
+            .iter()
+            .map(|name| format!("`{}`", name.value))
+            .collect();
+        names.join(", ")
+    };
+    match statement {
+        StatementKind::Import { path } => format!("the import of `{}`", path.value),
+        StatementKind::Parameter { names, .. }
+        | StatementKind::Complex { names, .. }
+        | StatementKind::Angle { names, .. }
+        | StatementKind::Coordinate { names, .. }
+        | StatementKind::Function { names, .. } => format!("the declaration of {}", list(names)),
+        StatementKind::Imaginary { name } => format!("the declaration of `{}`", name.value),
+        StatementKind::Assume { relation, .. } => {
+            format!("the assumption {}", Notation::Unicode.relation(relation))
+        }
+        StatementKind::Definition { names, .. } => format!("the definition of {}", list(names)),
+        StatementKind::Substitution { name, .. } => format!("the substitution `{}`", name.value),
+        StatementKind::Assertion { label, .. } => format!("the claim {}", label.written()),
+        StatementKind::Eigenpair { label, .. } => format!("the eigenpair {}", label.written()),
+        StatementKind::Match(own) => {
+            format!("the matching {} `{}`", own.label.written(), own.name.value)
+        }
+        StatementKind::Evaluator { label, name, .. } => {
+            format!("the evaluator {} `{}`", label.written(), name.value)
+        }
+        StatementKind::Domain(_) => "the domain".to_string(),
     }
 }

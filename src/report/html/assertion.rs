@@ -72,6 +72,6 @@ pub const fn class(verdict: Verdict) -> &'static str {
         Verdict::Holds | Verdict::HoldsWhere => "holds",
         Verdict::Approximate => "approximate",
         Verdict::Refuted | Verdict::IllFormed => "fails",
-        Verdict::Undecided => "undecided",
+        Verdict::Undecided | Verdict::Skipped => "undecided",
     }
 }

@@ -1,6 +1,5 @@
 //! A document as it reads, with what became of each statement in its place.
 
-use std::collections::BTreeMap;
 use std::ops::Range;
 
 use serde::Serialize;
@@ -11,13 +10,15 @@ use super::mathematics::phrase;
 use super::prose::{Heading, Section, sections};
 use super::statement::{LineView, QuantityView, line, quantity};
 use crate::derivation::audit::Audit;
-use crate::derivation::document::parse_document_with;
+use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::derivation::document::read_document;
+use crate::derivation::intent::Unread;
 use crate::derivation::name::Aliases;
 use crate::derivation::notation::Notation;
 use crate::derivation::syntax::{Statement, StatementKind};
 use crate::derivation::verdict::Claim;
 use crate::report::summary::Summary;
-use crate::report::{residuals, words};
+use crate::report::{premises, refusals, residuals, words};
 
 /// What the template is given of a document.
 #[derive(Serialize)]
@@ -28,8 +29,12 @@ pub struct DocumentView {
     conclusion: String,
     as_expected: bool,
     counts: Vec<CountView>,
+    /// HTML: what the verdicts stand under, a line each.
+    premises: Vec<String>,
     /// HTML: a line a matching.
     matchings: Vec<String>,
+    /// What is refused, and what is skipped for it.
+    refusals: Vec<RefusalsView>,
     lists: Vec<ListView>,
     chapters: Vec<ChapterView>,
     parts: Vec<Part>,
@@ -40,6 +45,13 @@ struct CountView {
     class: &'static str,
     verdict: String,
     count: usize,
+}
+
+/// What is refused or skipped, a line each.
+#[derive(Serialize)]
+struct RefusalsView {
+    heading: &'static str,
+    lines: Vec<String>,
 }
 
 /// Claims that a reader should see first.
@@ -71,7 +83,22 @@ enum Part {
     Line { line: LineView },
     Assertion { claim: Box<AssertionView> },
     Matching { matching: Box<MatchingView> },
+    Refused { statement: RefusedView },
 }
+
+/// A statement or a block that is refused or skipped.
+#[derive(Serialize)]
+struct RefusedView {
+    /// `refused` or `skipped`.
+    word: &'static str,
+    line: usize,
+    /// The text of the document, as long as fits.
+    source: String,
+    reason: String,
+}
+
+/// Of a refused statement, so many characters are shown.
+const MOST_SOURCE: usize = 400;
 
 impl DocumentView {
     /// What became of a document, which is the `number`-th of its page.
@@ -111,7 +138,15 @@ impl DocumentView {
             conclusion: summary.conclusion(),
             as_expected: audit.as_expected(),
             counts: counts.collect(),
+            premises: premises::lines(audit, Notation::Latex)
+                .iter()
+                .map(|(keyword, line)| format!("{keyword} {}", phrase(line)))
+                .collect(),
             matchings: matchings.collect(),
+            refusals: refusals::lists(audit)
+                .into_iter()
+                .map(|(heading, lines)| RefusalsView { heading, lines })
+                .collect(),
             lists: lists.collect(),
             chapters: chapters
                 .into_iter()
@@ -139,73 +174,144 @@ fn reference(claim: &Claim, anchor: &str) -> ReferenceView {
 /// The prose and the statements of a document in order, and its chapters.
 fn parts(audit: &Audit, anchor: &str) -> (Vec<Part>, Vec<Heading>) {
     let text = audit.sources.last().map_or("", |source| &source.text);
-    let statements = statements(audit);
+    let (statements, unread) = statements(audit);
+    let document = Judged {
+        audit,
+        anchor,
+        text,
+        statements,
+        unread,
+    };
     let (sections, chapters) = sections(text, anchor);
     let mut parts = Vec::new();
     for section in sections {
         match section {
             Section::Prose(html) => parts.push(Part::Prose { html }),
-            Section::Block(span) => block(audit, anchor, &statements, &span, &mut parts),
+            Section::Block(span) => document.block(&span, &mut parts),
         }
     }
     (parts, chapters)
 }
 
-/// The statements of a document, which was read once to be judged: the documents that it imports come
-/// first, with the spellings that they declare.
-fn statements(audit: &Audit) -> Vec<Statement> {
+/// The statements of a document, which was read once to be judged, and what is not understood of it: the
+/// documents that it imports come first, with the spellings that they declare.
+fn statements(audit: &Audit) -> (Vec<Statement>, Vec<Unread>) {
     let mut aliases = Aliases::default();
-    let mut statements = Vec::new();
+    let mut last = (Vec::new(), Vec::new());
     for source in &audit.sources {
-        let Ok(document) = parse_document_with(source, &aliases) else {
-            return Vec::new();
-        };
-        aliases.extend(&document.aliases);
-        statements = document.statements;
+        if let Ok(document) = read_document(source, &aliases) {
+            aliases.extend(&document.aliases);
+            last = (document.statements, document.unread);
+        }
     }
-    statements
+    last
 }
 
-/// The statements of a block; declarations that follow each other share a table.
-fn block(
-    audit: &Audit,
-    anchor: &str,
-    statements: &[Statement],
-    block: &Range<usize>,
-    parts: &mut Vec<Part>,
-) {
-    let claims: BTreeMap<&str, &Claim> = audit
-        .claims
-        .iter()
-        .map(|claim| (claim.label.id.as_str(), claim))
-        .collect();
-    let first = parts.len();
-    let inside = statements
-        .iter()
-        .filter(|statement| block.contains(&statement.span.start));
-    for statement in inside {
-        if let Some(row) = quantity(&statement.kind) {
-            match parts[first..].last_mut() {
-                Some(Part::Quantities { rows }) => rows.push(row),
-                _ => parts.push(Part::Quantities { rows: vec![row] }),
+/// A document and what became of it.
+struct Judged<'a> {
+    audit: &'a Audit,
+    anchor: &'a str,
+    text: &'a str,
+    statements: Vec<Statement>,
+    unread: Vec<Unread>,
+}
+
+impl Judged<'_> {
+    /// The statements of a block; declarations that follow each other share a table.
+    fn block(&self, block: &Range<usize>, parts: &mut Vec<Part>) {
+        let first = parts.len();
+        let inside = self.statements.iter();
+        let inside = inside.filter(|statement| block.contains(&statement.span.start));
+        let mut found: Vec<(usize, Part)> = Vec::new();
+        for statement in inside {
+            let place = statement.span.start;
+            let own = self.refused(statement).map_or_else(
+                || self.carried_out(statement),
+                |statement| vec![Part::Refused { statement }],
+            );
+            found.extend(own.into_iter().map(|part| (place, part)));
+        }
+        let unread = self.unread.iter();
+        for unread in unread.filter(|unread| block.contains(&unread.span.start)) {
+            let message = &unread.diagnostic.message;
+            let statement = self.shown("refused", &unread.span, message.clone());
+            found.push((unread.span.start, Part::Refused { statement }));
+        }
+        found.sort_by_key(|(place, _)| *place);
+        for (_, part) in found {
+            match (parts[first..].last_mut(), part) {
+                (Some(Part::Quantities { rows }), Part::Quantities { rows: more }) => {
+                    rows.extend(more);
+                }
+                (_, part) => parts.push(part),
             }
+        }
+    }
+
+    /// What a statement gives.
+    fn carried_out(&self, statement: &Statement) -> Vec<Part> {
+        let mut parts = Vec::new();
+        if let Some(row) = quantity(&statement.kind) {
+            parts.push(Part::Quantities { rows: vec![row] });
         } else if let Some(line) = line(&statement.kind) {
             parts.push(Part::Line { line });
         }
         match &statement.kind {
             StatementKind::Assertion { label, .. } | StatementKind::Eigenpair { label, .. } => {
-                parts.extend(claims.get(label.id.as_str()).map(|claim| Part::Assertion {
-                    claim: Box::new(AssertionView::new(claim, anchor)),
+                let mut claims = self.audit.claims.iter();
+                let claim = claims.find(|claim| claim.label.id == label.id);
+                parts.extend(claim.map(|claim| Part::Assertion {
+                    claim: Box::new(AssertionView::new(claim, self.anchor)),
                 }));
             }
             StatementKind::Match(matching) => {
-                let matched = audit.matchings.iter();
-                let mut own = matched.filter(|own| own.label.id == matching.label.id);
-                parts.extend(own.next().map(|matched| Part::Matching {
-                    matching: Box::new(MatchingView::new(matched, anchor)),
+                let mut matched = self.audit.matchings.iter();
+                let own = matched.find(|own| own.label.id == matching.label.id);
+                parts.extend(own.map(|matched| Part::Matching {
+                    matching: Box::new(MatchingView::new(matched, self.anchor)),
                 }));
             }
             _ => {}
+        }
+        parts
+    }
+
+    /// How a statement is shown that is refused, or skipped and no assertion.
+    fn refused(&self, statement: &Statement) -> Option<RefusedView> {
+        let (span, audit) = (&statement.span, self.audit);
+        let mut mistakes = audit.mistakes.iter();
+        let own = mistakes.find(|own| {
+            let Diagnostic {
+                kind, span: place, ..
+            } = &own.diagnostic;
+            let is_own = own.path == audit.path && span.contains(&place.start);
+            is_own && *kind != DiagnosticKind::Disagreement
+        });
+        if let Some(own) = own {
+            return Some(self.shown("refused", span, own.diagnostic.message.clone()));
+        }
+        let is_claim = matches!(
+            statement.kind,
+            StatementKind::Assertion { .. } | StatementKind::Eigenpair { .. }
+        );
+        let mut skipped = audit.skipped.iter();
+        let own = skipped.find(|own| !is_claim && own.span == *span)?;
+        Some(self.shown("skipped", span, format!("it {}", own.basis.reason)))
+    }
+
+    fn shown(&self, word: &'static str, span: &Range<usize>, reason: String) -> RefusedView {
+        let source = self.text.get(span.clone()).unwrap_or_default();
+        RefusedView {
+            word,
+            line: self
+                .text
+                .get(..span.start)
+                .unwrap_or_default()
+                .matches('\n')
+                .count()
+                + 1,
+            source: source.chars().take(MOST_SOURCE).collect(),
+            reason,
         }
     }
 }

@@ -6,7 +6,7 @@ use super::escape;
 use super::mathematics::{expression, formula};
 use crate::derivation::notation::Notation;
 use crate::derivation::syntax::{
-    EvaluatorBody, Expression, Name, Node, Place, Replacement, Sign, Spanned, StatementKind,
+    EvaluatorBody, Expression, Name, Node, Place, Replacement, Spanned, StatementKind,
 };
 use crate::report::words;
 
@@ -52,14 +52,10 @@ pub fn quantity(statement: &StatementKind) -> Option<QuantityView> {
             sign,
             description,
         } => {
-            let sign = sign.map_or("", |sign| match sign {
-                Sign::Positive => " > 0",
-                Sign::NonNegative => r" \ge 0",
-                Sign::NonZero => r" \ne 0",
-                Sign::Negative => " < 0",
-                Sign::NonPositive => r" \le 0",
+            let sign = sign.map_or(String::new(), |sign| {
+                format!(" {}", words::sign(sign, NOTATION))
             });
-            view(names, sign, "parameter", &unit.value, description)
+            view(names, &sign, "parameter", &unit.value, description)
         }
         StatementKind::Complex {
             names,

@@ -2,11 +2,13 @@
 
 use serde::Serialize;
 
-use crate::derivation::audit::Audit;
+use crate::derivation::audit::{Audit, Skipped};
 use crate::derivation::notation::Notation;
 use crate::derivation::syntax::Expression;
 use crate::derivation::verdict::{Claim, Witness};
 use crate::report::details::{neglected, route};
+use crate::report::premises::{Premises, premises};
+use crate::report::refusals::{Message, Messages};
 use crate::report::words;
 
 use super::ascii;
@@ -15,16 +17,63 @@ use super::pairs::{Pairs, definitions};
 #[derive(Serialize)]
 struct Documents<'a> {
     documents: Vec<DocumentObject<'a>>,
+    diagnostics: &'a [Message],
+    /// How many mistakes are not among the diagnostics.
+    diagnostics_left_out: usize,
 }
 
 #[derive(Serialize)]
 struct DocumentObject<'a> {
     path: &'a str,
     title: Option<&'a str>,
+    declarations: Vec<DeclarationObject<'a>>,
+    assumptions: Vec<AssumptionObject<'a>>,
+    imports: Vec<ImportObject<'a>>,
     claims: Vec<ClaimObject<'a>>,
     /// The ids of the matchings, which `sextic match` shows.
     matchings: Vec<&'a str>,
+    /// What builds on a refused statement; assertions are among the claims too.
+    skipped: Vec<SkippedObject<'a>>,
     as_expected: bool,
+}
+
+/// A sign that is declared.
+#[derive(Serialize)]
+struct DeclarationObject<'a> {
+    names: Vec<&'a str>,
+    sign: &'static str,
+}
+
+#[derive(Serialize)]
+struct AssumptionObject<'a> {
+    line: usize,
+    statement: String,
+    description: Option<&'a str>,
+}
+
+#[derive(Serialize)]
+struct ImportObject<'a> {
+    path: &'a str,
+    declarations: Vec<DeclarationObject<'a>>,
+    assumptions: Vec<AssumptionObject<'a>>,
+}
+
+/// A statement that builds on a refused one.
+#[derive(Serialize)]
+pub(super) struct SkippedObject<'a> {
+    line: usize,
+    what: &'a str,
+    reason: &'a str,
+    /// The refused statement.
+    rests_on: BasisObject<'a>,
+}
+
+#[derive(Serialize)]
+struct BasisObject<'a> {
+    /// The name that it would declare; nothing for an assumption.
+    name: Option<&'a str>,
+    path: &'a str,
+    line: usize,
 }
 
 #[derive(Serialize)]
@@ -43,6 +92,8 @@ struct ClaimObject<'a> {
     residual: Option<String>,
     witness: Option<WitnessObject<'a>>,
     reason: Option<&'a str>,
+    /// Whether it is undecided by a mistake of this program.
+    fault: bool,
 }
 
 #[derive(Serialize)]
@@ -65,18 +116,68 @@ struct ExplanationObject<'a> {
     route: String,
 }
 
-/// Writes the verdicts on documents.
-pub fn audits(audits: &[Audit]) -> String {
-    let documents = audits.iter().map(|audit| DocumentObject {
+/// Writes the verdicts on documents, and what is wrong with them.
+pub fn audits(audits: &[Audit], messages: &Messages) -> String {
+    super::write(&Documents {
+        documents: audits.iter().map(document).collect(),
+        diagnostics: &messages.told,
+        diagnostics_left_out: messages.left_out,
+    })
+}
+
+fn document(audit: &Audit) -> DocumentObject<'_> {
+    let (own, imports) = premises(audit);
+    let imports = imports.iter().map(|import| ImportObject {
+        path: import.path,
+        declarations: declarations(import),
+        assumptions: assumptions(import),
+    });
+    DocumentObject {
         path: &audit.path,
         title: audit.title.as_deref(),
+        declarations: declarations(&own),
+        assumptions: assumptions(&own),
+        imports: imports.collect(),
         claims: audit.claims.iter().map(claim_object).collect(),
         matchings: matching_ids(audit).collect(),
+        skipped: audit.skipped.iter().map(skipped).collect(),
         as_expected: audit.as_expected(),
+    }
+}
+
+fn declarations<'a>(premises: &Premises<'a>) -> Vec<DeclarationObject<'a>> {
+    let signs = premises
+        .signs
+        .iter()
+        .map(|(sign, names)| DeclarationObject {
+            names: names.iter().map(|name| name.ascii.as_str()).collect(),
+            sign: words::sign(*sign, Notation::Ascii),
+        });
+    signs.collect()
+}
+
+fn assumptions<'a>(premises: &Premises<'a>) -> Vec<AssumptionObject<'a>> {
+    let assumptions = premises.assumptions.iter().map(|own| AssumptionObject {
+        line: own.place.line,
+        statement: Notation::Ascii.relation(&own.relation),
+        description: own.description.as_deref(),
     });
-    super::write(&Documents {
-        documents: documents.collect(),
-    })
+    assumptions.collect()
+}
+
+/// A statement that builds on a refused one.
+pub(super) fn skipped(skipped: &Skipped) -> SkippedObject<'_> {
+    let basis = &skipped.basis;
+    SkippedObject {
+        line: skipped.line,
+        what: &skipped.what,
+        reason: &basis.reason,
+        rests_on: BasisObject {
+            name: basis.name.as_ref().map(|name| name.ascii.as_str()),
+            path: &basis.place.path,
+            line: basis.place.line,
+        },
+    }
 }
 
 /// Writes how the verdict on a claim of a document was reached.
@@ -121,6 +222,7 @@ fn claim_object(claim: &Claim) -> ClaimObject<'_> {
         residual: claim.residual.as_ref().map(ascii),
         witness: claim.witness.as_ref().map(witness_object),
         reason: claim.reason.as_deref(),
+        fault: claim.fault,
     }
 }
 

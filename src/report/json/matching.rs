@@ -5,14 +5,27 @@ use serde::Serialize;
 use crate::derivation::audit::Audit;
 use crate::derivation::matching::{Matched, Neglected, Row, Singularity};
 use crate::derivation::notation::Notation;
+use crate::report::refusals::{Message, Messages};
 use crate::report::words;
 
 use super::ascii;
+use super::audit::{SkippedObject, skipped};
 use super::pairs::{Pairs, definitions, pairs};
 
 #[derive(Serialize)]
 struct Matchings<'a> {
     matchings: Vec<MatchingObject<'a>>,
+    /// What builds on a refused statement, by document.
+    skipped: Vec<SkippedIn<'a>>,
+    diagnostics: &'a [Message],
+    /// How many mistakes are not among the diagnostics.
+    diagnostics_left_out: usize,
+}
+
+#[derive(Serialize)]
+struct SkippedIn<'a> {
+    path: &'a str,
+    statements: Vec<SkippedObject<'a>>,
 }
 
 #[derive(Serialize)]
@@ -65,15 +78,23 @@ struct RowObject {
 }
 
 /// Writes the matchings of documents.
-pub fn matchings(audits: &[Audit]) -> String {
+pub fn matchings(audits: &[Audit], messages: &Messages) -> String {
     let matchings = audits.iter().flat_map(|audit| {
         audit
             .matchings
             .iter()
             .map(|matched| matching_object(&audit.path, matched))
     });
+    let is_worse = |audit: &&Audit| !audit.skipped.is_empty();
+    let worse = audits.iter().filter(is_worse).map(|audit| SkippedIn {
+        path: &audit.path,
+        statements: audit.skipped.iter().map(skipped).collect(),
+    });
     super::write(&Matchings {
         matchings: matchings.collect(),
+        skipped: worse.collect(),
+        diagnostics: &messages.told,
+        diagnostics_left_out: messages.left_out,
     })
 }
 

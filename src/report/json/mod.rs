@@ -51,6 +51,7 @@ mod tests {
     use crate::derivation::audit::{Audit, audit};
     use crate::derivation::diagnostic::SourceFile;
     use crate::documents::ShippedLibrary;
+    use crate::report::refusals::Messages;
 
     const DOCUMENT: &str = "# Title
 
@@ -73,7 +74,7 @@ match (2) matched: x^2 + a*x with x^2 + b*x in x unknown b at x
 
     #[test]
     fn verdicts_have_the_documented_members() {
-        let written = read(&super::audits(&audited()));
+        let written = read(&super::audits(&audited(), &Messages::default()));
         let document = &written["documents"][0];
         assert_eq!(document["path"], "a.md");
         assert_eq!(document["title"], "Title");
@@ -98,7 +99,7 @@ match (2) matched: x^2 + a*x with x^2 + b*x in x unknown b at x
 
     #[test]
     fn matchings_have_the_documented_members() {
-        let written = read(&super::matchings(&audited()));
+        let written = read(&super::matchings(&audited(), &Messages::default()));
         let matching = &written["matchings"][0];
         assert_eq!(matching["id"], "2");
         assert_eq!(matching["unknowns"], json!(["b"]));

@@ -5,7 +5,7 @@ use crate::derivation::matching::Matched;
 use crate::derivation::notation::Notation;
 use crate::derivation::verdict::Claim;
 use crate::report::summary::Summary;
-use crate::report::{residuals, words};
+use crate::report::{premises, refusals, residuals, words};
 
 use super::claim;
 use super::page::Page;
@@ -19,15 +19,22 @@ pub fn audit(audit: &Audit, width: usize) -> String {
         page.heading(title);
     }
     page.hint(0, &audit.path);
+    for (keyword, phrase) in premises::lines(audit, Notation::Unicode) {
+        page.column(KEYWORD, keyword, &phrase);
+    }
     for claim in &audit.claims {
         page.gap();
         claim::write(&mut page, &audit.path, claim);
     }
-    summary(&mut page, &audit.path, &Summary::new(audit));
+    summary(&mut page, audit, &Summary::new(audit));
     page.finish()
 }
 
-fn summary(page: &mut Page, path: &str, summary: &Summary) {
+/// How wide the words before a premise are.
+const KEYWORD: usize = 12;
+
+fn summary(page: &mut Page, audit: &Audit, summary: &Summary) {
+    let path = &audit.path;
     if !summary.counts.is_empty() {
         page.heading("In sum");
     }
@@ -48,8 +55,15 @@ fn summary(page: &mut Page, path: &str, summary: &Summary) {
             &summary.surprises,
         );
     }
+    for (heading, lines) in refusals::lists(audit) {
+        page.heading(heading);
+        for line in lines {
+            page.prose(&[spaces(2)], &[Run::words(line, PLAIN)]);
+        }
+    }
     page.gap();
     let style = match summary.surprises.as_slice() {
+        _ if !audit.mistakes.is_empty() => ALARM,
         [] if summary.counts.is_empty() => STRONG,
         [] => GOOD,
         _ => ALARM,

@@ -1,7 +1,7 @@
 //! A page of text for the terminal, written from top to bottom.
 
 use super::palette::{FAINT, PLAIN, STRONG};
-use super::run::{Run, spaces, width};
+use super::run::{Run, column, spaces, width};
 use super::{expression, prose};
 use crate::report::phrase::{Phrase, Piece};
 
@@ -64,11 +64,16 @@ impl Page {
     /// A phrase behind a keyword.
     pub fn phrase(&mut self, indent: usize, keyword: &str, phrase: &Phrase) {
         let mut runs = vec![Run::words(keyword, FAINT), spaces(1)];
-        runs.extend(phrase.pieces().iter().map(|piece| match piece {
-            Piece::Words(text) => Run::words(text, PLAIN),
-            Piece::Mathematics(formula) => Run::formula(formula, PLAIN),
-        }));
+        runs.extend(phrase.pieces().iter().map(run_of));
         self.prose(&[spaces(indent)], &runs);
+    }
+
+    /// A phrase behind a keyword in a column of the given width, below which its later lines are aligned.
+    pub fn column(&mut self, width: usize, keyword: &str, phrase: &Phrase) {
+        let keyword = column(&format!("  {keyword}"), width, FAINT);
+        let pieces = phrase.pieces().iter();
+        let runs: Vec<Run> = pieces.map(run_of).collect();
+        self.prose(&keyword, &runs);
     }
 
     /// An expression behind a prefix, its later lines below the given column, of so many lines at
@@ -120,6 +125,14 @@ impl Page {
             self.text.push_str(&line);
             self.text.push('\n');
         }
+    }
+}
+
+/// A part of a phrase.
+fn run_of(piece: &Piece) -> Run {
+    match piece {
+        Piece::Words(text) => Run::words(text, PLAIN),
+        Piece::Mathematics(formula) => Run::formula(formula, PLAIN),
     }
 }
 

@@ -3,6 +3,7 @@
 use anstyle::{AnsiColor, Color, Style};
 
 use crate::derivation::verdict::{Claim, Verdict};
+use crate::report::words::is_surprise;
 
 /// Titles, labels.
 pub const STRONG: Style = Style::new().bold();
@@ -20,19 +21,19 @@ pub const ALARM: Style = Style::new()
 
 /// A claim's verdict: only what its author did not expect is alarming.
 pub fn of_claim(claim: &Claim) -> Style {
-    if claim.as_expected() {
-        of_verdict(claim.verdict)
-    } else {
+    if is_surprise(claim) {
         ALARM
+    } else {
+        of_verdict(claim.verdict)
     }
 }
 
-/// A verdict that is expected.
+/// A verdict that is expected, or none.
 pub fn of_verdict(verdict: Verdict) -> Style {
     match verdict {
         Verdict::Holds | Verdict::HoldsWhere => GOOD,
         Verdict::Approximate => AnsiColor::Cyan.on_default(),
         Verdict::Refuted | Verdict::IllFormed => AnsiColor::Magenta.on_default(),
-        Verdict::Undecided => AnsiColor::Yellow.on_default(),
+        Verdict::Undecided | Verdict::Skipped => AnsiColor::Yellow.on_default(),
     }
 }

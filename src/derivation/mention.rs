@@ -1,0 +1,150 @@
+//! The names that a statement builds on.
+
+use super::syntax::{
+    EvaluatorBody, Expression, Name, Node, Place, Relation, Replacement, Spanned, Statement,
+    StatementKind,
+};
+
+/// A name that is mentioned.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mention {
+    /// The name.
+    pub name: Name,
+    /// Whether it is given arguments.
+    pub is_called: bool,
+}
+
+impl Mention {
+    fn bare(name: &Name) -> Self {
+        Mention {
+            name: name.clone(),
+            is_called: false,
+        }
+    }
+}
+
+impl Statement {
+    /// The names that it builds on, in their order; those of evaluators are none of them.
+    pub fn mentions(&self) -> Vec<Mention> {
+        let mut found = Vec::new();
+        match &self.kind {
+            StatementKind::Import { .. }
+            | StatementKind::Parameter { .. }
+            | StatementKind::Complex { .. }
+            | StatementKind::Angle { .. }
+            | StatementKind::Coordinate { .. }
+            | StatementKind::Imaginary { .. } => {}
+            StatementKind::Function { reference, .. } => reference.collect_mentions(&mut found),
+            StatementKind::Assume { relation, .. } => of_relation(relation, &mut found),
+            StatementKind::Definition {
+                arguments, values, ..
+            } => {
+                of_all(values, &mut found);
+                found.retain(|mention| !arguments.iter().any(|own| own.value == mention.name));
+            }
+            StatementKind::Substitution { replacements, .. }
+            | StatementKind::Domain(replacements) => of_replacements(replacements, &mut found),
+            StatementKind::Assertion {
+                relation, order, ..
+            } => {
+                of_relation(relation, &mut found);
+                let small = order.iter().flat_map(|order| &order.small);
+                found.extend(small.map(|name| Mention::bare(&name.value)));
+            }
+            StatementKind::Eigenpair {
+                stiffness,
+                mass,
+                value,
+                vector,
+                ..
+            } => of_all([stiffness, mass, value, vector], &mut found),
+            StatementKind::Match(matching) => {
+                of_all([&matching.exact, &matching.assumed], &mut found);
+                let names = [&matching.variable].into_iter().chain(&matching.unknowns);
+                let names = names.chain(&matching.small);
+                found.extend(names.map(|name| Mention::bare(&name.value)));
+                of_all(&matching.neglected, &mut found);
+            }
+            StatementKind::Evaluator {
+                body, conditions, ..
+            } => {
+                match body {
+                    EvaluatorBody::Outputs(outputs) => {
+                        of_all(outputs.iter().map(|(_, value)| value), &mut found);
+                    }
+                    EvaluatorBody::Special { place, .. } => of_place(place, &mut found),
+                }
+                for condition in conditions {
+                    of_relation(condition, &mut found);
+                }
+            }
+        }
+        found
+    }
+
+    /// The evaluator that it is a special case of.
+    pub fn general_evaluator(&self) -> Option<&Spanned<Name>> {
+        match &self.kind {
+            StatementKind::Evaluator {
+                body: EvaluatorBody::Special { general, .. },
+                ..
+            } => Some(general),
+            _ => None,
+        }
+    }
+}
+
+impl Expression {
+    /// Adds the names that it builds on, also those that it replaces.
+    pub fn collect_mentions(&self, found: &mut Vec<Mention>) {
+        match &self.node {
+            Node::Number(_) => {}
+            Node::Name(name) | Node::Derivative(name, _) => found.push(Mention::bare(name)),
+            Node::Negative(inner) => inner.collect_mentions(found),
+            Node::Binary(_, left, right) => of_all([&**left, &**right], found),
+            Node::Call {
+                function,
+                arguments,
+                ..
+            } => {
+                found.push(Mention {
+                    name: function.clone(),
+                    is_called: true,
+                });
+                of_all(arguments, found);
+            }
+            Node::Matrix(rows) => of_all(rows.iter().flatten(), found),
+            Node::Index(matrix, indices) => {
+                matrix.collect_mentions(found);
+                of_all(indices, found);
+            }
+            Node::At(inner, place) => {
+                inner.collect_mentions(found);
+                of_place(place, found);
+            }
+        }
+    }
+}
+
+fn of_all<'a>(expressions: impl IntoIterator<Item = &'a Expression>, found: &mut Vec<Mention>) {
+    for expression in expressions {
+        expression.collect_mentions(found);
+    }
+}
+
+fn of_relation(relation: &Relation, found: &mut Vec<Mention>) {
+    of_all([&relation.left, &relation.right], found);
+}
+
+fn of_replacements(replacements: &[Replacement], found: &mut Vec<Mention>) {
+    for replacement in replacements {
+        of_all([&replacement.target, &replacement.value], found);
+    }
+}
+
+fn of_place(place: &Place, found: &mut Vec<Mention>) {
+    match place {
+        Place::Named(name) => found.push(Mention::bare(&name.value)),
+        Place::Replacements(replacements) => of_replacements(replacements, found),
+    }
+}
