@@ -46,22 +46,26 @@ pub struct Judge<'a> {
     scope: &'a Scope,
     assumptions: &'a [Relation],
     signs: BTreeMap<String, Signs>,
+    salt: u64,
 }
 
 /// What became of a check: at how many points it passed, or why there were not enough.
 pub type Checked = Result<usize, String>;
 
 impl<'a> Judge<'a> {
-    /// A judge over the names of a document, at assignments that satisfy its assumptions.
+    /// A judge over the names of a document, at assignments that satisfy its assumptions; the `salt`
+    /// depends on the text of the document.
     pub fn new(
         scope: &'a Scope,
         assumptions: &'a [Relation],
         signs: BTreeMap<String, Signs>,
+        salt: u64,
     ) -> Self {
         Judge {
             scope,
             assumptions,
             signs,
+            salt,
         }
     }
 
@@ -75,7 +79,7 @@ impl<'a> Judge<'a> {
         findings: &'a [Finding],
         matchings: &'a [MatchingCheck],
     ) -> Result<Vec<Claim>, Diagnostic> {
-        let meanings = meanings(self.scope);
+        let meanings = meanings(self.scope, &self.signs);
         let mut court = Court::new(self, &meanings);
         let claims = findings.iter().map(|finding| court.claim(finding));
         let claims = claims.collect();
@@ -89,14 +93,25 @@ impl<'a> Judge<'a> {
 }
 
 /// What the names of a document mean, without the elements of the ring.
-fn meanings(scope: &Scope) -> Meanings<'_> {
-    let meaning = |meaning| match meaning {
+fn meanings<'a>(scope: &'a Scope, signs: &BTreeMap<String, Signs>) -> Meanings<'a> {
+    let entries = scope.entries();
+    let meaning = |entry: &'a scope::Entry| {
+        let name = entry.name.ascii.as_str();
+        let is_positive = signs.get(name).is_some_and(|signs| signs.is_positive());
+        (name, meaning(&entry.meaning, is_positive))
+    };
+    entries.map(meaning).collect()
+}
+
+fn meaning(meaning: &scope::Meaning, is_positive: bool) -> Meaning<'_> {
+    let variable = |kind| Meaning::Variable(kind, is_positive);
+    match meaning {
         &scope::Meaning::Symbol { kind, .. } => match kind {
-            SymbolKind::Parameter => Meaning::Variable(Kind::Real),
-            SymbolKind::Complex => Meaning::Variable(Kind::Complex),
-            SymbolKind::Angle => Meaning::Variable(Kind::Angle),
-            SymbolKind::Coordinate => Meaning::Variable(Kind::Coordinate),
-            SymbolKind::AngularCoordinate => Meaning::Variable(Kind::AngularCoordinate),
+            SymbolKind::Parameter => variable(Kind::Real),
+            SymbolKind::Complex => variable(Kind::Complex),
+            SymbolKind::Angle => variable(Kind::Angle),
+            SymbolKind::Coordinate => variable(Kind::Coordinate),
+            SymbolKind::AngularCoordinate => variable(Kind::AngularCoordinate),
             SymbolKind::Imaginary => Meaning::ImaginaryUnit,
         },
         scope::Meaning::Function { reference, .. } => Meaning::Function(reference),
@@ -106,11 +121,7 @@ fn meanings(scope: &Scope) -> Meanings<'_> {
             expression,
         } => Meaning::Template(arguments, expression),
         scope::Meaning::Substitution { replacements, .. } => Meaning::Substitution(replacements),
-    };
-    let entries = scope.entries();
-    entries
-        .map(|entry| (entry.name.ascii.as_str(), meaning(&entry.meaning)))
-        .collect()
+    }
 }
 
 /// Where the assertions of one document are judged.
@@ -134,7 +145,7 @@ impl<'a> Court<'a> {
         let graph = Graph::default();
         let generic = (0..MOST_CHECKPOINTS).filter_map(|place| search.find(&graph, place));
         let generic: Vec<Evaluation> = generic.collect();
-        let mut unfolding = Unfolding::new(meanings, Sheet { graph, generic });
+        let mut unfolding = Unfolding::new(meanings, Sheet::new(graph, generic, judge.salt));
         let assumed = judge.assumptions.iter().map(|relation| {
             Ok(Assumed {
                 left: unfolding.scalar(&relation.left)?,

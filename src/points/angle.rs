@@ -8,6 +8,7 @@ use super::Failure;
 use super::derivative::{By, Derivative};
 use super::graph::{Made, Node, NodeId, VariableId};
 use super::sheet::Sheet;
+use super::substitution::Substitution;
 
 /// The largest multiple of an angle whose sine is followed.
 const LARGEST_MULTIPLE: i64 = 1_000;
@@ -201,7 +202,39 @@ impl Sheet {
     /// [`Failure::ZeroVector`] for (0, 0), and those of [`Sheet::vanishes`].
     pub fn direction(&mut self, x: NodeId, y: NodeId) -> Made {
         let parallel = self.parallel(x, y)?;
-        self.graph.angle_of(x, y, parallel)
+        let (angle, along) = match parallel {
+            Some([angle, cosine, sine]) => {
+                let (one, other) = (self.graph.product(x, cosine)?, self.graph.product(y, sine)?);
+                (angle, self.graph.sum(one, other)?)
+            }
+            None if self.graph.is_zero(y) => (y, x),
+            None => return self.graph.angle_of(x, y, None),
+        };
+        match self.is_positive(along)? {
+            true => {
+                let angle = self.graph.guarded(angle, x)?;
+                self.graph.guarded(angle, y)
+            }
+            false => self.graph.angle_of(x, y, parallel),
+        }
+    }
+
+    /// Whether a node is above 0 under every assignment at which it has a value: variables on which it
+    /// does not depend may be taken as 0.
+    fn is_positive(&mut self, id: NodeId) -> Result<bool, Failure> {
+        let zero = self.graph.integer(0)?;
+        let mut at_zero = Substitution::default();
+        for variable in self.graph.variables_of(&[id]) {
+            if self.graph.variable(variable).is_positive {
+                continue;
+            }
+            let slope = Derivative::new(By::Variable(variable)).of(id, self)?;
+            if self.vanishes(slope)? {
+                at_zero.variables.insert(variable, zero);
+            }
+        }
+        let simple = at_zero.of(id, self);
+        Ok(simple.is_ok_and(|simple| self.graph.is_positive(simple)))
     }
 
     /// The sum β of angular variables of which (cos β, sin β) is a multiple of (x, y) everywhere, with its

@@ -9,6 +9,7 @@ use crate::derivation::visit::primed;
 
 use super::Failure;
 use super::enclosure::{Enclosure, circle_point};
+use super::formal::mix;
 use super::graph::{FunctionId, Kind, Variable};
 use super::number::Number;
 use super::real::Real;
@@ -275,12 +276,4 @@ impl Assignment {
 fn shown_name(variable: &Variable) -> String {
     let name = variable.name.clone();
     (0..variable.order).fold(name, |inner, _| format!("dt({inner})"))
-}
-
-/// Spreads the bits of a number (the finaliser of SplitMix64).
-fn mix(state: u64) -> u64 {
-    let state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let state = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let state = (state ^ (state >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    state ^ (state >> 31)
 }

@@ -133,7 +133,11 @@ impl Derivative {
             By::Time if sheet.graph.variable(id).is_moving() => {
                 let variable = sheet.graph.variable(id).clone();
                 let order = variable.order + 1;
-                let rate = sheet.graph.variable_id(Variable { order, ..variable });
+                let rate = sheet.graph.variable_id(Variable {
+                    order,
+                    is_positive: false,
+                    ..variable
+                });
                 sheet.graph.free(rate)
             }
             _ => sheet.graph.integer(0),

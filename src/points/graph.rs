@@ -28,6 +28,20 @@ pub struct VariableId(u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct FunctionId(u32);
 
+impl VariableId {
+    /// The place as a number.
+    pub fn number(self) -> u64 {
+        u64::from(self.0)
+    }
+}
+
+impl FunctionId {
+    /// The place as a number.
+    pub fn number(self) -> u64 {
+        u64::from(self.0)
+    }
+}
+
 /// What is free to have a value of its own.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Variable {
@@ -37,6 +51,8 @@ pub struct Variable {
     pub order: u32,
     /// What it was declared as.
     pub kind: Kind,
+    /// Whether it was declared to be above 0.
+    pub is_positive: bool,
 }
 
 /// The sorts of variables.
@@ -155,6 +171,10 @@ struct Traits {
     real: bool,
     /// Whether it rests on a root or on the angle of a vector, whose values depend on signs.
     branched: bool,
+    /// Whether every value of it is above 0, as far as its parts tell.
+    positive: bool,
+    /// Whether no value of it is below 0, as far as its parts tell.
+    non_negative: bool,
 }
 
 /// A graph.
@@ -214,6 +234,11 @@ impl Graph {
         self.traits[id.0 as usize].total
     }
 
+    /// Whether every value of a node is above 0, as far as its parts tell.
+    pub fn is_positive(&self, id: NodeId) -> bool {
+        self.traits[id.0 as usize].positive
+    }
+
     /// Whether a node rests on a root or on the angle of a vector.
     pub fn is_branched(&self, id: NodeId) -> bool {
         self.traits[id.0 as usize].branched
@@ -224,13 +249,42 @@ impl Graph {
             total: true,
             real: true,
             branched: false,
+            positive: true,
+            non_negative: true,
         };
+        let mut is_above = false;
         node.visit(&mut |part| {
             let part = self.traits[part.0 as usize];
             traits.total &= part.total;
             traits.real &= part.real;
             traits.branched |= part.branched;
+            traits.positive &= part.positive;
+            traits.non_negative &= part.non_negative;
+            is_above |= part.positive;
         });
+        (traits.positive, traits.non_negative) = match node {
+            Node::Number(number) => (*number > Rational::ZERO, *number >= Rational::ZERO),
+            Node::Variable(id) => {
+                let is_positive = self.variable(*id).is_positive;
+                (is_positive, is_positive)
+            }
+            Node::Sum(..) => (traits.non_negative && is_above, traits.non_negative),
+            Node::Quotient(_, b) => {
+                let below = self.traits[b.0 as usize].positive;
+                (traits.positive, traits.non_negative && below)
+            }
+            Node::Power(_, n) => (
+                traits.positive,
+                traits.non_negative || (n % 2 == 0 && traits.real),
+            ),
+            Node::Root(_) => (traits.positive, true),
+            Node::Product(..) => (traits.positive, traits.non_negative),
+            Node::Guarded { value, .. } => {
+                let value = self.traits[value.0 as usize];
+                (value.positive, value.non_negative)
+            }
+            _ => (false, false),
+        };
         match node {
             Node::ImaginaryUnit => traits.real = false,
             Node::Variable(id) => traits.real = self.variable(*id).kind != Kind::Complex,
@@ -432,7 +486,12 @@ impl Graph {
                 Some(root) => self.number(root),
                 None => self.join(Node::Root(a)),
             },
-            None => self.join(Node::Root(a)),
+            None => match *self.node(a) {
+                Node::Power(base, n) if n % 2 == 0 && self.traits[base.0 as usize].non_negative => {
+                    self.power(base, i64::from(n / 2))
+                }
+                _ => self.join(Node::Root(a)),
+            },
         }
     }
 

@@ -9,8 +9,8 @@ use super::graph::Kind;
 /// What a name means.
 #[derive(Clone, Copy, Debug)]
 pub enum Meaning<'a> {
-    /// A variable.
-    Variable(Kind),
+    /// A variable, and whether it was declared to be above 0.
+    Variable(Kind, bool),
     /// i
     ImaginaryUnit,
     /// A function, and where its bare name is taken.

@@ -14,6 +14,7 @@ mod describe;
 pub mod enclosure;
 pub mod evaluation;
 mod failure;
+mod formal;
 pub mod graph;
 mod matrix;
 pub mod meaning;

@@ -1,64 +1,71 @@
-//! A graph, and assignments at which it is seen which nodes are equal everywhere.
+//! A graph, with what tells which of its nodes are equal everywhere.
 
 use crate::algebra::number::Rational;
 
 use super::Failure;
 use super::evaluation::Evaluation;
+use super::formal::{Formal, mix};
 use super::graph::{Graph, Made, NodeId};
 use super::number::Number;
 
-/// At how many assignments polynomials and quotients are compared.
-const FEW: usize = 2;
-
-/// At how many assignments nodes are compared that depend on signs.
-const MANY: usize = 8;
-
-/// How many binary digits an identity is checked to.
-const DIGITS: i64 = 100;
+/// How many moduli an identity is checked with.
+const MODULI: u64 = 2;
 
 /// A graph that can tell which of its nodes are equal under every assignment.
 ///
-/// Two nodes are taken for equal where they are at several assignments with large random numbers, to a
-/// hundred binary digits. A coincidence at an assignment that is looked at later is none of these.
+/// A coincidence at an assignment is none of these identities.
 #[derive(Debug)]
 pub struct Sheet {
     /// The graph.
     pub graph: Graph,
+    /// Values modulo large numbers, by which identities are recognised.
+    formal: Vec<Formal>,
     /// Evaluations at large random numbers that satisfy what is assumed.
     pub generic: Vec<Evaluation>,
 }
 
 impl Sheet {
+    /// A sheet with some evaluations; `salt` is a number that the author of a document cannot know.
+    pub fn new(graph: Graph, generic: Vec<Evaluation>, salt: u64) -> Self {
+        let seeds = (0..MODULI).map(|place| mix(salt ^ mix(place)));
+        Sheet {
+            graph,
+            formal: seeds.map(Formal::new).collect(),
+            generic,
+        }
+    }
+
     /// Whether a node is 0 under every assignment at which it has a value.
     ///
     /// # Errors
     ///
-    /// [`Failure::UnknownIdentity`] where it has a value at none of the assignments.
+    /// [`Failure::UnknownIdentity`] where that cannot be told: roots and the angles of vectors may depend
+    /// on each other.
     pub fn vanishes(&mut self, id: NodeId) -> Result<bool, Failure> {
         if let Some(number) = self.graph.as_number(id) {
             return Ok(number.is_zero());
         }
-        let wanted = if self.graph.is_branched(id) {
-            MANY
-        } else {
-            FEW
-        };
-        let mut seen = 0;
-        for evaluation in &mut self.generic {
-            let Ok(value) = evaluation.value(&self.graph, id) else {
-                continue;
-            };
-            if value.differs_from_zero() {
-                return Ok(false);
-            }
-            seen += usize::from(value.is_exact() || value.is_narrow(&value, DIGITS));
-            if seen == wanted {
-                break;
-            }
+        let graph = &self.graph;
+        let seen = self
+            .formal
+            .iter_mut()
+            .map(|formal| formal.vanishes(graph, id));
+        let seen: Option<Vec<bool>> = seen.collect();
+        let seen = seen.ok_or(Failure::UnknownIdentity)?;
+        if seen.iter().all(|vanishes| *vanishes) {
+            return Ok(true);
         }
-        match seen {
-            0 => Err(Failure::UnknownIdentity),
-            _ => Ok(true),
+        if !graph.is_branched(id) {
+            return Ok(false);
+        }
+        let values = self
+            .generic
+            .iter_mut()
+            .map(|generic| generic.value(graph, id));
+        let mut values = values.flatten();
+        match values.any(|value| value.differs_from_zero()) {
+            true => Ok(false),
+            false => Err(Failure::UnknownIdentity),
         }
     }
 
@@ -73,6 +80,28 @@ impl Sheet {
         }
         let difference = self.graph.difference(a, b)?;
         self.vanishes(difference)
+    }
+
+    /// Whether two nodes have values that may be equal, to so many binary digits, at every assignment at
+    /// which both have one.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] where they have values at none of them.
+    pub fn agree(&mut self, a: NodeId, b: NodeId, digits: i64) -> Result<bool, Failure> {
+        let mut outcome = Err(Failure::UnknownSign);
+        for evaluation in &mut self.generic {
+            let value = |id| evaluation.value(&self.graph, id);
+            match [a, b].map(value) {
+                [Ok(a), Ok(b)] if !a.may_be(&b) => return Ok(false),
+                [Ok(a), Ok(b)] if a.is_narrow(&a, digits) && b.is_narrow(&b, digits) => {
+                    outcome = Ok(true);
+                }
+                [Err(failure), _] | [_, Err(failure)] if outcome.is_err() => outcome = Err(failure),
+                _ => {}
+            }
+        }
+        outcome
     }
 
     /// The value of a node at the first assignment at which it has one.

@@ -134,7 +134,9 @@ impl<'a> Unfolding<'a> {
             return Ok(argument.clone());
         }
         match self.meanings.get(name).copied() {
-            Some(Meaning::Variable(kind)) => Ok(single(self.variable(name, kind)?)),
+            Some(Meaning::Variable(kind, is_positive)) => {
+                Ok(single(self.variable(name, kind, is_positive)?))
+            }
             Some(Meaning::ImaginaryUnit) => Ok(single(self.sheet.graph.imaginary_unit()?)),
             Some(Meaning::Function(_)) => {
                 let (function, reference) = self.declared_function(name)?;
@@ -156,12 +158,13 @@ impl<'a> Unfolding<'a> {
         }
     }
 
-    fn variable(&mut self, name: &str, kind: Kind) -> Made {
+    fn variable(&mut self, name: &str, kind: Kind, is_positive: bool) -> Made {
         let name = name.to_owned();
         let id = self.sheet.graph.variable_id(Variable {
             name,
             order: 0,
             kind,
+            is_positive,
         });
         self.sheet.graph.free(id)
     }
@@ -313,7 +316,9 @@ impl<'a> Unfolding<'a> {
     /// The variable of an ASCII name.
     fn small(&mut self, name: &str) -> Result<By, Failure> {
         let node = match self.meanings.get_key_value(name) {
-            Some((name, Meaning::Variable(kind))) => self.variable(name, *kind)?,
+            Some((name, Meaning::Variable(kind, is_positive))) => {
+                self.variable(name, *kind, *is_positive)?
+            }
             Some((name, Meaning::Function(_))) => {
                 let (function, reference) = self.declared_function(name)?;
                 self.sheet

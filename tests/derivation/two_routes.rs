@@ -91,7 +91,7 @@ fn judged_by_points(
     findings: &[Finding],
     matchings: &[MatchingCheck],
 ) -> Result<Vec<Claim>, DiagnosticKind> {
-    let mut judge = Judge::new(&elaborator.scope, &[], BTreeMap::<String, Signs>::new());
+    let mut judge = Judge::new(&elaborator.scope, &[], BTreeMap::<String, Signs>::new(), 0);
     let claims = judge.judge_all(findings, matchings);
     claims.map_err(|error| error.kind)
 }

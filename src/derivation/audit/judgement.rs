@@ -23,7 +23,7 @@ impl Reader<'_> {
         let relations = self.assumptions.iter().map(|own| own.relation.clone());
         let relations: Vec<Relation> = relations.collect();
         let scope = &self.elaborator.scope;
-        let mut judge = Judge::new(scope, &relations, self.signs());
+        let mut judge = Judge::new(scope, &relations, self.signs(), self.salt());
         let (mut claims, failed) = judged(&mut judge, read, &self.here.path);
         for (claim, finding) in claims.iter().zip(&read.findings) {
             if claim.fault {

@@ -2,6 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use sha2::{Digest, Sha256};
+
 use crate::algebra::budget::Budget;
 use crate::algebra::sign::Signs;
 use crate::derivation::assertion::{Assertion, Finding};
@@ -52,6 +54,8 @@ pub(super) struct Reader<'a> {
     failed: FailedMatchings,
     /// The statement that is being read.
     pub(super) here: Place,
+    /// The texts that were read.
+    texts: Sha256,
 }
 
 /// What a document says beyond its declarations.
@@ -107,6 +111,7 @@ impl<'a> Reader<'a> {
                 path: String::new(),
                 line: 1,
             },
+            texts: Sha256::new(),
         }
     }
 
@@ -117,6 +122,7 @@ impl<'a> Reader<'a> {
     /// [`Rejected`] where nothing of the document itself can be read.
     pub(super) fn read(&mut self, source: &SourceFile) -> Result<Read, Box<Rejected>> {
         let (document, failed) = self.read_with_imports(source)?;
+        self.texts.update(&source.text);
         self.aliases.extend(&document.aliases);
         let mut read = Read {
             title: document.title,
@@ -258,6 +264,17 @@ impl<'a> Reader<'a> {
             (Some(only), None) => self.elaborator.require_non_zero(&only.value, &vector.span),
             _ => Ok(()),
         }
+    }
+
+    /// A number that nobody can know who writes the text that it depends on.
+    pub(super) fn salt(&self) -> u64 {
+        let imported = self.finished.iter();
+        let texts = imported.fold(self.texts.clone(), |texts, source| {
+            texts.chain_update(&source.text)
+        });
+        let digest = texts.finalize();
+        let bytes = digest.iter().take(8);
+        bytes.fold(0, |number, byte| number << 8 | u64::from(*byte))
     }
 
     /// What is known of the signs of symbols, by ASCII name.

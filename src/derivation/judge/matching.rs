@@ -8,6 +8,7 @@ use crate::derivation::syntax::{Expression, Node, Place, Span};
 use crate::points::Failure;
 use crate::points::unfolding::Unfolding;
 
+use super::sides::DIGITS;
 use super::{Checked, POINTS, fault};
 
 /// What is evaluated to check a matching: exact − assumed against the residual, power by power, with the
@@ -65,7 +66,7 @@ impl MatchingCheck {
         let residual = unfolding.scalar(residual)?;
         let sheet = &mut unfolding.sheet;
         let difference = sheet.graph.difference(exact, assumed)?;
-        sheet.is_same(difference, residual)
+        sheet.agree(difference, residual, DIGITS)
     }
 
     /// What the points come to: an error where there are too few.

@@ -12,7 +12,7 @@ use crate::points::unfolding::Unfolding;
 use crate::points::{Failure, Table};
 
 /// How many binary digits of two sides must agree.
-const DIGITS: i64 = 64;
+pub const DIGITS: i64 = 64;
 
 /// What two sides are at an assignment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
