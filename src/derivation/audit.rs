@@ -133,6 +133,8 @@ pub struct Skipped {
     pub span: Span,
     /// The line on which it stands.
     pub line: usize,
+    /// Whether it is an assertion, and so a claim too.
+    pub is_claim: bool,
     /// What it is: `the definition of K`.
     pub what: String,
     /// What it builds on.

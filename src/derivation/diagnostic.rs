@@ -133,6 +133,15 @@ impl Diagnostic {
         self
     }
 
+    /// Moves it from where it stands in no text to a place, with the words that connect the two.
+    #[must_use]
+    pub fn moved_to(mut self, span: &Span, words: &str) -> Self {
+        self.span = span.clone();
+        self.label = format!("{} {words}", self.label).trim().to_string();
+        self.secondary.retain(|(span, _)| *span != (0..0));
+        self
+    }
+
     /// Adds another place.
     #[must_use]
     pub fn with_secondary(mut self, span: Span, label: impl Into<String>) -> Self {

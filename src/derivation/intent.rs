@@ -120,23 +120,32 @@ impl Intent {
             tokens,
             aliases,
         };
+        let keyword = words.keyword();
         let mut intent = Intent {
-            mentions: Some(words.names(tokens.iter())),
+            mentions: Some(words.names(tokens.iter().skip(usize::from(keyword.is_some())))),
             ..Intent::default()
         };
-        match words.keyword() {
+        match keyword {
             Some("assume") => intent.may_assume = true,
             Some("import") => intent = Intent::anything(),
             Some("evaluator") => intent.evaluator = words.named(),
-            Some(keyword) if DECLARING.contains(&keyword) => intent.declares = words.declared(),
+            Some(keyword) if DECLARING.contains(&keyword) => {
+                intent.declares = words.declared();
+                // The other words are units, but for the argument of a function.
+                if keyword != "function" {
+                    intent.mentions = Some(Vec::new());
+                }
+            }
             Some(keyword) if NAMING.contains(&keyword) => {
                 intent.declares = words.named().into_iter().collect();
             }
             Some(_) => {}
             None => match words.defined() {
-                Some((names, is_template)) if !names.is_empty() => {
+                Some((names, is_template, value)) if !names.is_empty() => {
                     intent.declares = names;
                     intent.is_template = is_template;
+                    // Arguments are no names of the document.
+                    intent.mentions = (!is_template).then_some(value);
                 }
                 _ => {
                     intent.may_declare = MayDeclare::Mentioned;
@@ -240,13 +249,10 @@ impl Words<'_> {
         self.names(name.into_iter()).pop()
     }
 
-    /// The names before `:=`, or before `=` where that was meant, and whether they take arguments.
-    fn defined(&self) -> Option<(Vec<Name>, bool)> {
-        if self
-            .tokens
-            .first()
-            .is_some_and(|first| is_keyword(self.text_of(first)))
-        {
+    /// The names before `:=`, or before `=` where that was meant, whether they take arguments, and the
+    /// names behind.
+    fn defined(&self) -> Option<(Vec<Name>, bool, Vec<Name>)> {
+        if self.tokens.first().is_some_and(|first| is_keyword(self.text_of(first))) {
             return None;
         }
         let place = |kind| self.tokens.iter().position(|token| token.kind == kind);
@@ -256,6 +262,6 @@ impl Words<'_> {
             .iter()
             .position(|token| token.kind == TokenKind::OpenRound);
         let names = self.names(header[..open.unwrap_or(end)].iter());
-        Some((names, open.is_some()))
+        Some((names, open.is_some(), self.names(self.tokens[end..].iter())))
     }
 }

@@ -178,9 +178,13 @@ impl Scope {
 
     /// Forgets where names were declared, because what follows is another document.
     pub fn leave_document(&mut self) {
-        self.entries
-            .values_mut()
-            .for_each(|entry| entry.span = None);
+        for entry in self.entries.values_mut() {
+            entry.span = None;
+            // Its text is elaborated where it is used, and is no part of what follows.
+            if let Meaning::Template { expression, .. } = &mut entry.meaning {
+                expression.forget_places();
+            }
+        }
     }
 
     /// Forgets the names that were declared at a place, because the statement there is refused.

@@ -47,6 +47,37 @@ impl Expression {
         }
     }
 
+    /// Forgets where it stands, as if the engine had made it.
+    pub fn forget_places(&mut self) {
+        self.span = 0..0;
+        match &mut self.node {
+            Node::Number(_) | Node::Name(_) | Node::Derivative(..) => {}
+            Node::Negative(inner) => inner.forget_places(),
+            Node::Binary(_, left, right) => {
+                left.forget_places();
+                right.forget_places();
+            }
+            Node::Call { arguments, .. } => arguments.iter_mut().for_each(Self::forget_places),
+            Node::Matrix(rows) => rows.iter_mut().flatten().for_each(Self::forget_places),
+            Node::Index(matrix, indices) => {
+                matrix.forget_places();
+                indices.iter_mut().for_each(Self::forget_places);
+            }
+            Node::At(inner, place) => {
+                inner.forget_places();
+                match place {
+                    Place::Named(name) => name.span = 0..0,
+                    Place::Replacements(replacements) => {
+                        for replacement in replacements {
+                            replacement.target.forget_places();
+                            replacement.value.forget_places();
+                        }
+                    }
+                }
+            }
+        }
+    }
+
     /// The ASCII names under which a point lists the values that a normal form contains: `m`,
     /// `dt(x)`, `dC_D`, `cos(a)`, `sin(a)` for every angle a within a sine or
     /// cosine, and `C_D(` for the values of C_D at other arguments than its own.

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::derivation::audit::Audit;
+use crate::derivation::audit::{Audit, Mistake};
 use crate::derivation::diagnostic::{Diagnostic, SourceFile};
 
 /// How many mistakes are told, and how many statements that build on them; more help nobody.
@@ -51,19 +51,28 @@ pub struct Messages {
 
 /// What is refused and what is skipped, under a heading each: `paper.md:7:4: …`, and `line 9: …`.
 pub fn lists(audit: &Audit) -> Vec<(&'static str, Vec<String>)> {
-    let refused = audit.mistakes.iter().filter_map(|mistake| {
+    // A claim says itself that the program is at fault.
+    let is_fault = |mistake: &&Mistake| {
+        let span = &mistake.diagnostic.span;
+        let mut faults = audit.claims.iter().filter(|claim| claim.fault);
+        mistake.path == audit.path && faults.any(|claim| span.contains(&claim.label.span.start))
+    };
+    let mistakes = || audit.mistakes.iter().filter(|mistake| !is_fault(mistake));
+    let refused = mistakes().filter_map(|mistake| {
         let source = audit.source_of(mistake)?;
         let (line, column) = source.line_and_column(&mistake.diagnostic.span);
         let (path, message) = (&mistake.path, &mistake.diagnostic.message);
         Some(format!("{path}:{line}:{column}: {message}"))
     });
-    let skipped = audit.skipped.iter().map(|skipped| {
+    // A claim says itself why it is skipped.
+    let others = || audit.skipped.iter().filter(|skipped| !skipped.is_claim);
+    let skipped = others().map(|skipped| {
         let (line, what, reason) = (skipped.line, &skipped.what, &skipped.basis.reason);
         format!("line {line}: {what} {reason}")
     });
     let lists = [
-        ("Refused", capped(refused, audit.mistakes.len())),
-        ("Skipped", capped(skipped, audit.skipped.len())),
+        ("Refused", capped(refused, mistakes().count())),
+        ("Skipped beside claims", capped(skipped, others().count())),
     ];
     let is_some = |(_, list): &(_, Vec<String>)| !list.is_empty();
     lists.into_iter().filter(is_some).collect()

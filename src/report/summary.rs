@@ -92,19 +92,16 @@ impl<'a> Summary<'a> {
     /// Whether all is as the document expects, in a sentence; mistakes in one before it.
     pub fn conclusion(&self) -> String {
         let mistakes = words::counted(self.mistakes, "mistake");
-        let skipped = words::counted(self.skipped, "statement");
+        let skipped = match self.skipped {
+            1 => "1 statement is".to_string(),
+            count => format!("{count} statements are"),
+        };
         match (self.mistakes, self.skipped) {
             (0, _) => self.verdicts(),
             (1, 0) => format!("There is 1 mistake. {}", self.verdicts()),
-            (1, _) => format!(
-                "There is 1 mistake, and {skipped} skipped for it. {}",
-                self.verdicts()
-            ),
+            (1, _) => format!("There is 1 mistake; {skipped} skipped for it. {}", self.verdicts()),
             (_, 0) => format!("There are {mistakes}. {}", self.verdicts()),
-            _ => format!(
-                "There are {mistakes}, and {skipped} skipped for them. {}",
-                self.verdicts()
-            ),
+            _ => format!("There are {mistakes}; {skipped} skipped for them. {}", self.verdicts()),
         }
     }
 

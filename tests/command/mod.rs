@@ -116,7 +116,11 @@ fn status_is_1_where_a_verdict_differs() {
 #[test]
 fn status_is_2_where_the_input_is_wrong() {
     let (status, out, err) = status_of("unknown.md", "claim [one]: a == c");
-    assert_eq!((status, out.as_str()), (Some(2), ""));
+    assert_eq!(status, Some(2));
+    assert!(
+        out.ends_with("There is 1 mistake. No assertion was judged.\n"),
+        "{out}"
+    );
     assert!(err.contains("unknown.md:5:"), "{err}");
     assert_eq!(
         sextic(&["audit", "no-such-document.md"]).status.code(),
@@ -133,6 +137,87 @@ fn status_is_2_where_the_input_is_wrong() {
         Some(2)
     );
     assert_eq!(sextic(&["no-such-command"]).status.code(), Some(2));
+}
+
+/// A mistake in the middle, and what it costs.
+const MISTAKE: &str = "assume a < 2*b \"not too long\"\nclaim [before]: a + b == b + a\n\
+    q := a + a^2\nr := 2*q\nclaim [on r]: r == 2*q\nclaim [after]: 2*a == a + a";
+
+#[test]
+fn a_mistake_costs_what_builds_on_it() {
+    let (status, out, err) = status_of("mistake.md", MISTAKE);
+    assert_eq!(status, Some(2));
+    assert_eq!(out.matches("✓ holds  ").count(), 2, "{out}");
+    for part in [
+        "  assumes   a < 2·b: not too long",
+        "– skipped      [on r]",
+        "because it builds on `r`, and so on `q`, which line 7 would declare",
+        "line 8: the definition of `r` builds on `q`",
+    ] {
+        assert!(out.contains(part), "{part}: {out}");
+    }
+    assert!(out.contains("1 mistake; 2 statements are skipped"), "{out}");
+    assert_eq!(err.matches("Error").count(), 1, "{err}");
+    let path = document("mistake.md", &block(MISTAKE));
+    let path = path.to_str().expect("a path");
+    for (format, skipped) in [("markdown", "| – skipped |"), ("latex", "{-- skipped}")] {
+        let output = sextic(&["audit", path, "--format", format]);
+        let page = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{format}");
+        assert!(page.contains(skipped), "{page}");
+        assert!(page.contains("not too long"), "{page}");
+    }
+}
+
+#[test]
+fn mistakes_are_json_too() {
+    let path = document("mistake-json.md", &block(MISTAKE));
+    let path = path.to_str().expect("a path");
+    let output = sextic(&["audit", path, "no-such.md", "--format", "json"]);
+    assert_eq!(output.status.code(), Some(2));
+    let json: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let [first, second] = [0, 1].map(|place| &json["diagnostics"][place]);
+    assert_eq!((&first["line"], &first["column"]), (&7.into(), &6.into()));
+    assert_eq!(first["kind"], "unit");
+    assert!(first["path"].as_str().is_some_and(|own| own.ends_with("mistake-json.md")));
+    assert!(first["message"].is_string() && first["help"].is_string());
+    assert_eq!(second["kind"], "missing-file");
+    let document = &json["documents"][0];
+    assert_eq!(document["as_expected"], false);
+    assert_eq!(document["assumptions"][0]["statement"], "a < 2*b");
+    let claim = &document["claims"][1];
+    assert_eq!(claim["verdict"], "skipped");
+    assert!(claim["reason"].as_str().is_some_and(|own| own.contains("`q`")));
+    assert_eq!(document["skipped"][0]["rests_on"]["name"], "q");
+    assert_eq!(document["skipped"][0]["rests_on"]["line"], 7);
+}
+
+#[test]
+fn of_many_mistakes_the_first_are_told() {
+    let lines: Vec<String> = (0..10_000).map(|number| format!("q{number} := x{number}")).collect();
+    let path = document("many.md", &block(&lines.join("\n")));
+    let output = sextic(&["audit", path.to_str().expect("a path"), "--format", "json"]);
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(told.matches("Error").count(), 50);
+    assert!(told.ends_with("… and 9950 more mistakes\n"));
+    let json: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(json["diagnostics"].as_array().map(Vec::len), Some(50));
+    assert_eq!(json["diagnostics_left_out"], 9950);
+}
+
+#[test]
+fn nothing_is_compiled_from_a_document_with_a_mistake() {
+    let path = document("compiled.md", &block("evaluator (1) sum: s = a + b\nq := a + a^2"));
+    let path = path.to_str().expect("a path");
+    for arguments in [
+        ["evaluate", "sum", "--document", path, "--set", "a=1", "--set", "b=2"].as_slice(),
+        &["generate", path, "--out", "nowhere", "--language", "c"],
+    ] {
+        let output = sextic(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(output.stdout.is_empty());
+        assert!(String::from_utf8_lossy(&output.stderr).contains("Nothing is compiled"));
+    }
 }
 
 #[test]

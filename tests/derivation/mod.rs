@@ -4,12 +4,13 @@ mod bad_meaning;
 mod explosions;
 mod identities;
 mod mutants;
+mod recovery;
 mod two_routes;
 mod verdicts;
 
 use std::path::{Component, Path, PathBuf};
 
-use sextic::derivation::audit::{Audit, Library, audit};
+use sextic::derivation::audit::{Audit, Library, Mistake, audit};
 use sextic::derivation::diagnostic::{SourceFile, render};
 
 /// Documents in a folder; paths are relative to it.
@@ -41,15 +42,23 @@ fn audit_text(text: &str) -> Result<Audit, String> {
     )
 }
 
-/// What becomes of a document, or the messages that reject it.
+/// What becomes of a document, or what is wrong with it.
 pub fn audit_in(source: &SourceFile, folder: &Folder) -> Result<Audit, String> {
-    audit(source, folder).map_err(|rejected| {
-        let messages = rejected
-            .diagnostics
-            .iter()
-            .map(|d| render(d, &rejected.source, false));
-        messages.collect::<Vec<_>>().join("\n")
-    })
+    let messages: Vec<String> = match audit(source, folder) {
+        Ok(audit) if audit.mistakes.is_empty() => return Ok(audit),
+        Ok(audit) => {
+            let render = |mistake: &Mistake| {
+                let source = audit.source_of(mistake).expect("a source");
+                render(&mistake.diagnostic, source, false)
+            };
+            audit.mistakes.iter().map(render).collect()
+        }
+        Err(rejected) => {
+            let render = |own| render(own, &rejected.source, false);
+            rejected.diagnostics.iter().map(render).collect()
+        }
+    };
+    Err(messages.join("\n"))
 }
 
 /// A block of statements as a document.

@@ -66,6 +66,7 @@ fn skip(claim: &mut Claim, reason: &Reason, path: &str) -> Skipped {
     claim.witness = None;
     Skipped {
         span: claim.label.span.clone(),
+        is_claim: true,
         line: claim.line,
         what: format!("the claim {}", claim.label.written()),
         basis,
@@ -108,4 +109,44 @@ fn disagreement(finding: &Finding) -> Diagnostic {
     Diagnostic::new(kind, span, "the two routes to a verdict disagree")
         .with_label("equal in normal form, different at a point")
         .with_help(FAULT)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::derivation::audit::audit;
+    use crate::derivation::diagnostic::SourceFile;
+    use crate::derivation::verdict::Verdict;
+    use crate::documents::ShippedLibrary;
+
+    use super::super::judgement::FailedMatchings;
+    use super::*;
+
+    const DOCUMENT: &str = "```sextic
+parameter x, y : 1
+claim (1): (x + y)^2 == x^2 + 2*x*y + y^2
+claim (2): x + y == y + x
+refute (3): x == y
+```
+";
+
+    /// The routes are made to disagree by giving the second one another relation than the first one was
+    /// asked about.
+    #[test]
+    fn a_disagreement_costs_one_claim() {
+        let source = SourceFile::new("a.md", DOCUMENT);
+        let alone = audit(&source, &ShippedLibrary).expect("a document");
+        let mut reader = Reader::new(&ShippedLibrary, &[], FailedMatchings::new());
+        let mut read = reader.read(&source).expect("a document");
+        read.findings[0].assertion.relation.right = read.findings[1].assertion.relation.right.clone();
+        let (claims, _) = reader.judge(&mut read);
+        assert!(claims[0].fault && claims[0].verdict == Verdict::Undecided);
+        assert!(claims[0].reason.as_ref().is_some_and(|reason| reason.contains(FAULT)));
+        for (claim, same) in claims.iter().zip(&alone.claims).skip(1) {
+            assert!(!claim.fault);
+            assert_eq!((claim.verdict, &claim.witness), (same.verdict, &same.witness));
+        }
+        let mistakes = reader.refusals.mistakes;
+        assert_eq!(mistakes.len(), 1);
+        assert_eq!(mistakes[0].diagnostic.kind, DiagnosticKind::Disagreement);
+    }
 }

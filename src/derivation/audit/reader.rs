@@ -19,8 +19,8 @@ use crate::derivation::notation::Notation;
 use crate::derivation::quantity::Quantity;
 use crate::derivation::scope::Meaning;
 use crate::derivation::syntax::{
-    BinaryOperator, Comparison, Expectation, Expression, Name, Relation, Spanned, Statement,
-    StatementKind,
+    BinaryOperator, Comparison, Expectation, Expression, Name, Relation, Span, Spanned,
+    Statement, StatementKind,
 };
 use crate::derivation::verdict::{Claim, Verdict};
 
@@ -143,7 +143,7 @@ impl<'a> Reader<'a> {
         for (item, line) in items.into_iter().zip(lines) {
             self.step_to(source, line);
             match item {
-                Item::Statement(statement) => self.step(&statement, &mut read),
+                Item::Statement(statement) => self.step(&statement, source, &mut read),
                 Item::Unread(unread) => self.refuse(unread.diagnostic, &unread.intent),
             }
         }
@@ -165,18 +165,67 @@ impl<'a> Reader<'a> {
     }
 
     /// Carries out a statement, or says why not.
-    fn step(&mut self, statement: &Statement, read: &mut Read) {
+    fn step(&mut self, statement: &Statement, source: &SourceFile, read: &mut Read) {
         self.elaborator.fresh();
         if let Some(reason) = self.refusals.reason(statement, &self.elaborator.scope) {
             return self.pass_over(statement, &reason, read);
         }
         if let Err(diagnostic) = self.execute(statement, read) {
             self.elaborator.scope.forget(&statement.span);
+            if let Some((name, span)) = self.guilty_template(&diagnostic, statement) {
+                self.refuse_template(diagnostic, name, &span, source);
+                let scope = &self.elaborator.scope;
+                if let Some(reason) = self.refusals.reason(statement, scope) {
+                    self.pass_over(statement, &reason, read);
+                }
+                return;
+            }
             match self.missing_assumption(statement, diagnostic.kind) {
                 Some(reason) => self.pass_over(statement, &reason, read),
                 None => self.refuse(diagnostic, &Intent::of(statement)),
             }
         }
+    }
+
+    /// The definition with arguments in whose text an unknown name stands, and where that is declared;
+    /// what it mentions need not be known before it is used.
+    fn guilty_template(
+        &self,
+        diagnostic: &Diagnostic,
+        statement: &Statement,
+    ) -> Option<(Name, Span)> {
+        let place = diagnostic.span.start;
+        if diagnostic.kind != DiagnosticKind::UnknownName || statement.span.contains(&place) {
+            return None;
+        }
+        self.elaborator.scope.entries().find_map(|entry| {
+            let Meaning::Template { expression, .. } = &entry.meaning else {
+                return None;
+            };
+            let span = entry.span.clone()?;
+            let is_guilty = expression.span.contains(&place);
+            is_guilty.then(|| (entry.name.clone(), span))
+        })
+    }
+
+    fn refuse_template(
+        &mut self,
+        diagnostic: Diagnostic,
+        name: Name,
+        span: &Span,
+        source: &SourceFile,
+    ) {
+        let intent = Intent {
+            declares: vec![name],
+            is_template: true,
+            ..Intent::default()
+        };
+        let place = Place {
+            path: source.path.clone(),
+            line: source.line_and_column(span).0,
+        };
+        let scope = &self.elaborator.scope;
+        self.refusals.refuse(diagnostic, &intent, &place, scope);
     }
 
     /// The assumption that is not made and from which a sign may follow without which a statement is not
@@ -199,7 +248,9 @@ impl<'a> Reader<'a> {
 
     fn pass_over(&mut self, statement: &Statement, reason: &Reason, read: &mut Read) {
         let basis = reason.basis(&self.here.path);
-        if let Some(assertion) = asserted(statement, self.here.line) {
+        let assertion = asserted(statement, self.here.line);
+        let is_claim = assertion.is_some();
+        if let Some(assertion) = assertion {
             let reason = Some(format!("it {}", basis.reason));
             read.skipped_claims.push(Claim {
                 verdict: Verdict::Skipped,
@@ -209,6 +260,7 @@ impl<'a> Reader<'a> {
         }
         read.skipped.push(Skipped {
             span: statement.span.clone(),
+            is_claim,
             line: self.here.line,
             what: what(&statement.kind),
             basis,

@@ -37,6 +37,8 @@ struct Refused {
     /// Whether its own statement is well, and builds on another.
     is_through: bool,
     is_template: bool,
+    /// The symbols and functions that it would rest on; nothing where these are not known.
+    symbols: Option<BTreeSet<String>>,
 }
 
 /// What may declare names that are not known.
@@ -62,7 +64,7 @@ pub(super) struct Refusals {
     pub(super) mistakes: Vec<Mistake>,
     names: BTreeMap<String, Refused>,
     evaluators: BTreeMap<String, Refused>,
-    /// What may have declared anything.
+    /// What may have declared anything; the last of what may.
     doubt: Option<Doubt>,
     /// What may have declared these names.
     doubts: BTreeMap<String, Doubt>,
@@ -79,20 +81,17 @@ impl Refusals {
         scope: &Scope,
     ) {
         self.note(diagnostic, &place.path);
-        self.lose_names(intent, |name| Refused {
-            root: Root {
-                place: place.clone(),
-                kind: Kind::Declared(name.clone()),
-            },
-            is_through: false,
-            is_template: intent.is_template,
+        self.lose_names(intent, scope, |name| {
+            let kind = Kind::Declared(name.clone());
+            let place = place.clone();
+            (Root { place, kind }, false)
         });
         let doubt = Doubt {
             place: place.clone(),
             import: None,
         };
         match intent.doubtful() {
-            None => drop(self.doubt.get_or_insert(doubt)),
+            None => self.doubt = Some(doubt),
             Some(names) => {
                 for name in names {
                     self.doubts.entry(name).or_insert_with(|| doubt.clone());
@@ -118,7 +117,7 @@ impl Refusals {
             place: place.clone(),
             symbols: Some(names.collect()),
         });
-        self.doubt.get_or_insert(Doubt {
+        self.doubt = Some(Doubt {
             place: place.clone(),
             import: Some(path.to_string()),
         });
@@ -133,15 +132,21 @@ impl Refusals {
         scope: &Scope,
     ) {
         let intent = Intent::of(statement);
-        self.lose_names(&intent, |_| Refused {
-            root: reason.root.clone(),
-            is_through: true,
-            is_template: intent.is_template,
-        });
+        self.lose_names(&intent, scope, |_| (reason.root.clone(), true));
         self.lose_assumption(&intent, place, scope);
     }
 
-    fn lose_names(&mut self, intent: &Intent, refused: impl Fn(&Name) -> Refused) {
+    fn lose_names(&mut self, intent: &Intent, scope: &Scope, root: impl Fn(&Name) -> (Root, bool)) {
+        let symbols = self.symbols(intent, scope);
+        let refused = |name| {
+            let (root, is_through) = root(name);
+            Refused {
+                root,
+                is_through,
+                is_template: intent.is_template,
+                symbols: symbols.clone(),
+            }
+        };
         for name in &intent.declares {
             let key = name.ascii.clone();
             self.names.entry(key).or_insert_with(|| refused(name));
@@ -153,24 +158,33 @@ impl Refusals {
     }
 
     fn lose_assumption(&mut self, intent: &Intent, place: &Place, scope: &Scope) {
-        if !intent.may_assume {
-            return;
+        if intent.may_assume {
+            self.lost.push(Lost {
+                place: place.clone(),
+                symbols: self.symbols(intent, scope),
+            });
         }
-        let symbols = intent.mentions.as_ref().and_then(|names| {
-            // What is not understood may be no assumption: names that nobody knows are then no names.
-            let must_be_known = matches!(intent.may_declare, MayDeclare::Nothing);
-            let known = names.iter().all(|name| self.is_known(name, scope));
-            (known || !must_be_known).then(|| symbols_of(names, scope))
-        });
-        self.lost.push(Lost {
-            place: place.clone(),
-            symbols,
-        });
     }
 
-    fn is_known(&self, name: &Name, scope: &Scope) -> bool {
-        let is_built_in = function::NAMES.contains(&name.ascii.as_str());
-        is_built_in || scope.get(name).is_some() && !self.names.contains_key(&name.ascii)
+    /// The symbols and functions that a statement rests on; nothing where these are not known.
+    fn symbols(&self, intent: &Intent, scope: &Scope) -> Option<BTreeSet<String>> {
+        // What is not understood at all mentions words that are no names.
+        let are_names = matches!(intent.may_declare, MayDeclare::Nothing);
+        let mut symbols = BTreeSet::new();
+        for name in intent.mentions.as_ref()? {
+            let is_built_in = function::NAMES.contains(&name.ascii.as_str());
+            let refused = self.names.get(&name.ascii);
+            if let Some(refused) = refused {
+                symbols.extend(refused.symbols.clone()?);
+            }
+            let entry = scope.get(name);
+            symbols.extend(entry.iter().flat_map(|entry| entry.rests_on().map(str::to_string)));
+            let is_known = is_built_in || refused.is_some() || entry.is_some();
+            if are_names && !is_known {
+                return None;
+            }
+        }
+        Some(symbols)
     }
 
     /// Why a statement has no meaning although it is well: a name that it builds on, or declares again,
@@ -345,7 +359,7 @@ impl Reason {
             Kind::Imported(name, path) => {
                 format!("`{name}`, which may come from `{path}`, which {line} cannot import")
             }
-            Kind::Assumed => format!("an assumption of {line}, which is refused"),
+            Kind::Assumed => format!("what {line} would assume, which is refused"),
         };
         let reason = match (&self.through, kind) {
             (Some(name), _) => format!("builds on `{name}`, and so on {bottom}"),

@@ -75,6 +75,8 @@ impl Elaborator {
         self.arguments.pop();
         // A mistake in the definition's text may be one of this call.
         value.map_err(|error| match error.secondary.len() {
+            // The text of an imported definition stands in another document.
+            _ if error.span == (0..0) => error.moved_to(span, &format!("in `{function}`")),
             0..3 => error.with_secondary(span.clone(), format!("in this call of `{function}`")),
             _ => error,
         })

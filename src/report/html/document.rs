@@ -290,12 +290,8 @@ impl Judged<'_> {
         if let Some(own) = own {
             return Some(self.shown("refused", span, own.diagnostic.message.clone()));
         }
-        let is_claim = matches!(
-            statement.kind,
-            StatementKind::Assertion { .. } | StatementKind::Eigenpair { .. }
-        );
-        let mut skipped = audit.skipped.iter();
-        let own = skipped.find(|own| !is_claim && own.span == *span)?;
+        let mut skipped = audit.skipped.iter().filter(|own| !own.is_claim);
+        let own = skipped.find(|own| own.span == *span)?;
         Some(self.shown("skipped", span, format!("it {}", own.basis.reason)))
     }
 
