@@ -2,9 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use super::character;
 use super::cursor::Cursor;
 use super::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
 use super::lexer::{self, LinePosition, Token, TokenKind};
+use super::line_end::{self, unified};
 use super::markdown;
 use super::name::Aliases;
 use super::statement_parser::is_keyword;
@@ -45,7 +47,8 @@ pub fn parse_document_with(
     source: &SourceFile,
     imported: &Aliases,
 ) -> Result<Document, Vec<Diagnostic>> {
-    let text = source.text.as_str();
+    let text = unified(&source.text);
+    let text = text.as_ref();
     if text.len() > MAXIMUM_SIZE {
         let message = format!("a document may have {MAXIMUM_SIZE} bytes");
         return Err(vec![
@@ -54,10 +57,18 @@ pub fn parse_document_with(
                 .with_help("split it into documents that import each other"),
         ]);
     }
+    let hidden = line_end::mixed(&source.text)
+        .into_iter()
+        .chain(character::faults(text));
+    let hidden: Vec<Diagnostic> = hidden.take(MAXIMUM_DIAGNOSTICS).collect();
+    if !hidden.is_empty() {
+        return Err(hidden);
+    }
     let (found, mut errors) = markdown::blocks(text);
     let mut statements = Vec::new();
     let mut aliases = imported.clone();
     for block in &found.blocks {
+        errors.extend(character::displaced(text, block));
         let tokens = lexer::tokens(text, block);
         for range in statement_ranges(text, &tokens) {
             match Cursor::new(text, &tokens[range], &mut aliases).statement() {
@@ -67,10 +78,12 @@ pub fn parse_document_with(
         }
     }
     errors.extend(duplicate_labels(&statements));
+    errors.extend(aliases.looks.declare_all(&statements));
     if errors.is_empty() && statements.is_empty() {
         errors.push(found.nothing_found());
     }
     if errors.is_empty() {
+        aliases.looks.leave_document(source);
         return Ok(Document {
             title: found.title,
             statements,

@@ -11,6 +11,7 @@ use crate::derivation::domain::Domain;
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::evaluator::Evaluator;
 use crate::derivation::judge::matching::MatchingCheck;
+use crate::derivation::line_end::unified;
 use crate::derivation::matching::Matched;
 use crate::derivation::name::Aliases;
 use crate::derivation::quantity::Quantity;
@@ -79,10 +80,11 @@ impl<'a> Reader<'a> {
         self.aliases.extend(&document.aliases);
         self.elaborator.scope.leave_document();
         read.title.clone_from(&document.title);
+        let text = unified(&source.text);
         let (mut line, mut counted) = (1, 0);
         for statement in &document.statements {
             self.elaborator.fresh();
-            let between = source.text.get(counted..statement.span.start);
+            let between = text.get(counted..statement.span.start);
             line += between.unwrap_or_default().matches('\n').count();
             counted = statement.span.start;
             self.execute(statement, line, &mut read)
