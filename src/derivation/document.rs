@@ -9,6 +9,7 @@ use super::lexer::{self, LinePosition, Token, TokenKind};
 use super::line_end::{self, unified};
 use super::markdown;
 use super::name::Aliases;
+use super::name::skeleton::skeleton;
 use super::statement_parser::is_keyword;
 use super::syntax::{Label, Span, Statement, StatementKind};
 
@@ -142,9 +143,10 @@ fn surely_begins(text: &str, tokens: &[Token]) -> bool {
     is_keyword(word) && !is_entry || line.any(|kind| kind == TokenKind::Define)
 }
 
-/// An error for every label whose identifier an earlier one has.
+/// An error for every label whose identifier an earlier one has, or that looks like an earlier one.
 fn duplicate_labels(statements: &[Statement]) -> Vec<Diagnostic> {
     let mut first: BTreeMap<&str, &Label> = BTreeMap::new();
+    let mut looks: BTreeMap<String, &Label> = BTreeMap::new();
     let mut errors = Vec::new();
     let taken: Vec<&str> = statements
         .iter()
@@ -154,6 +156,10 @@ fn duplicate_labels(statements: &[Statement]) -> Vec<Diagnostic> {
     for label in statements.iter().filter_map(label_of) {
         let Some(earlier) = first.get(label.id.as_str()) else {
             first.insert(&label.id, label);
+            let alike = *looks.entry(skeleton(&label.text)).or_insert(label);
+            if alike.id != label.id {
+                errors.push(labels_look_alike(label, alike));
+            }
             continue;
         };
         let message = format!("two labels are called `{}`", label.id);
@@ -168,6 +174,17 @@ fn duplicate_labels(statements: &[Statement]) -> Vec<Diagnostic> {
         );
     }
     errors
+}
+
+fn labels_look_alike(label: &Label, earlier: &Label) -> Diagnostic {
+    let message = format!("the label `{}` looks like an earlier one", label.text);
+    Diagnostic::new(DiagnosticKind::LookAlike, label.span.clone(), message)
+        .with_label(format!("this is `{}` in ASCII", label.id))
+        .with_secondary(
+            earlier.span.clone(),
+            format!("and this is `{}`", earlier.id),
+        )
+        .with_help("give one of them a label that looks different")
 }
 
 fn label_of(statement: &Statement) -> Option<&Label> {
