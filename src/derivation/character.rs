@@ -8,6 +8,9 @@ use super::syntax::Span;
 /// How many marks a letter may bear in a block; a pile of them reaches into other lines.
 const MOST_MARKS: usize = 3;
 
+/// No mark stands before this one.
+const FIRST_MARK: char = '\u{300}';
+
 /// Why a character may stand in no document, prose and descriptions included.
 pub(crate) fn fault(character: char) -> Option<&'static str> {
     if (' '..='~').contains(&character) {
@@ -118,7 +121,8 @@ pub(crate) fn displaced(text: &str, block: &Span) -> Vec<Diagnostic> {
             let help = "write it in prose, outside of the block";
             errors.push(hidden(start, character, reason).with_help(help));
         }
-        if !is_combining_mark(character) {
+        // Most letters are found to be none without a table.
+        if character < FIRST_MARK || !is_combining_mark(character) {
             (bears, marks) = (character.is_alphabetic(), 0);
             continue;
         }

@@ -99,6 +99,7 @@ impl Looks {
     /// Notes in which document all of this stands, since what follows is another one.
     pub(crate) fn leave_document(&mut self, source: &SourceFile) {
         let text = unified(&source.text);
+        let ends: Vec<usize> = text.match_indices('\n').map(|(end, _)| end).collect();
         let maps = [
             &mut self.by_skeleton,
             &mut self.functions,
@@ -106,8 +107,7 @@ impl Looks {
         ];
         for declared in maps.into_iter().flat_map(BTreeMap::values_mut) {
             if let Place::Here(span) = &declared.place {
-                let before = text.get(..span.start).unwrap_or_default();
-                let line = before.matches('\n').count() + 1;
+                let line = ends.partition_point(|end| *end < span.start) + 1;
                 declared.place = Place::There(format!("{}:{line}", source.path));
             }
         }
