@@ -195,9 +195,9 @@ impl Cursor<'_> {
                 ascii.value.ascii
             )));
         }
-        let spelled = self.text_of(&spelling.span);
-        let name = Name::with_ascii(spelled, &Name::new(written).ascii);
-        self.aliases.declare(&Name::new(spelled), &name);
+        let name = Name::with_ascii(&spelling.value.unicode, &Name::new(written).ascii);
+        self.aliases
+            .declare(&Name::new(&spelling.value.unicode), &name);
         Ok(Spanned {
             value: name,
             span: self.since(spelling.span.start),

@@ -4,6 +4,7 @@ mod excerpt;
 
 use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
 
+use super::line_end::unified;
 use super::syntax::Span;
 use excerpt::{Excerpt, shortened};
 
@@ -38,6 +39,10 @@ pub enum DiagnosticKind {
     UnbalancedFence,
     /// A document has nothing to execute.
     NoBlock,
+    /// What is read is not what a reader of the rendered page sees.
+    Hidden,
+    /// Two names are written differently and look the same.
+    LookAlike,
     /// A file is not UTF-8.
     NotUtf8,
     /// A file cannot be read.
@@ -68,6 +73,8 @@ impl DiagnosticKind {
             Self::Disagreement => "disagreement",
             Self::UnbalancedFence => "unbalanced-fence",
             Self::NoBlock => "no-block",
+            Self::Hidden => "hidden",
+            Self::LookAlike => "look-alike",
             Self::NotUtf8 => "not-utf-8",
             Self::MissingFile => "missing-file",
             Self::CircularImport => "circular-import",
@@ -176,7 +183,10 @@ impl SourceFile {
     pub fn from_bytes(path: impl Into<String>, bytes: &[u8]) -> Result<Self, Diagnostic> {
         match std::str::from_utf8(bytes) {
             // Some editors begin a file with a mark that is no part of its text.
-            Ok(text) => Ok(Self::new(path, text.trim_start_matches('\u{FEFF}'))),
+            Ok(text) => Ok(Self::new(
+                path,
+                text.strip_prefix('\u{FEFF}').unwrap_or(text),
+            )),
             Err(error) => {
                 let offset = error.valid_up_to();
                 let message = format!("the document is not UTF-8 from byte {offset} on");
@@ -224,7 +234,8 @@ pub fn render(diagnostic: &Diagnostic, source: &SourceFile, colour: bool) -> Str
         .chain(others)
         .map(|span| source.clamp(span))
         .collect();
-    let excerpt = Excerpt::new(&source.text, &spans);
+    let text = unified(&source.text);
+    let excerpt = Excerpt::new(&text, &spans);
     let place = |span: &Span| (path, excerpt.mark(&source.clamp(span)));
     let mark = |span, text: &str, paint| {
         // Without words no mark is drawn.
@@ -262,7 +273,7 @@ pub fn render(diagnostic: &Diagnostic, source: &SourceFile, colour: bool) -> Str
     let rendered = String::from_utf8_lossy(&rendered);
     let written = |(line, column)| format!("{path}:{line}:{column}");
     let shown = written(position(&excerpt.text, place(&diagnostic.span).1.start));
-    let meant = written(position(&source.text, spans[0].start));
+    let meant = written(position(&text, spans[0].start));
     rendered
         .replacen(&shown, &meant, 1)
         .lines()

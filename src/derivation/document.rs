@@ -2,12 +2,15 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::character;
 use super::cursor::Cursor;
 use super::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
 use super::intent::{Intent, Unread};
 use super::lexer::{self, LinePosition, Token, TokenKind};
+use super::line_end::{self, unified};
 use super::markdown;
 use super::name::Aliases;
+use super::name::skeleton::skeleton;
 use super::statement_parser::is_keyword;
 use super::syntax::{Label, Span, Statement, StatementKind};
 
@@ -49,7 +52,7 @@ pub fn parse_document_with(
     source: &SourceFile,
     imported: &Aliases,
 ) -> Result<Document, Vec<Diagnostic>> {
-    let document = read_document(source, imported).map_err(|error| vec![error])?;
+    let document = read_document(source, imported)?;
     if document.unread.is_empty() {
         return Ok(document);
     }
@@ -65,14 +68,27 @@ pub fn parse_document_with(
 ///
 /// # Errors
 ///
-/// That it is too large, or that there is no statement at all.
-pub fn read_document(source: &SourceFile, imported: &Aliases) -> Result<Document, Diagnostic> {
-    let text = source.text.as_str();
+/// That it is too large, that a character or a line end in it misleads, or that there is no statement at
+/// all.
+pub fn read_document(
+    source: &SourceFile,
+    imported: &Aliases,
+) -> Result<Document, Vec<Diagnostic>> {
+    let text = unified(&source.text);
+    let text = text.as_ref();
     if text.len() > MAXIMUM_SIZE {
         let message = format!("a document may have {MAXIMUM_SIZE} bytes");
-        return Err(Diagnostic::new(DiagnosticKind::Budget, 0..0, message)
+        let error = Diagnostic::new(DiagnosticKind::Budget, 0..0, message)
             .with_label(format!("this one has {}", text.len()))
-            .with_help("split it into documents that import each other"));
+            .with_help("split it into documents that import each other");
+        return Err(vec![error]);
+    }
+    let hidden = line_end::mixed(&source.text)
+        .into_iter()
+        .chain(character::faults(text));
+    let hidden: Vec<Diagnostic> = hidden.take(MAXIMUM_DIAGNOSTICS).collect();
+    if !hidden.is_empty() {
+        return Err(hidden);
     }
     let (found, errors) = markdown::blocks(text);
     let unread_block = |diagnostic: Diagnostic| Unread {
@@ -84,6 +100,7 @@ pub fn read_document(source: &SourceFile, imported: &Aliases) -> Result<Document
     let mut statements = Vec::new();
     let mut aliases = imported.clone();
     for block in &found.blocks {
+        unread.extend(character::displaced(text, block).into_iter().map(unread_block));
         let tokens = lexer::tokens(text, block);
         for range in statement_ranges(text, &tokens) {
             let tokens = &tokens[range];
@@ -98,16 +115,41 @@ pub fn read_document(source: &SourceFile, imported: &Aliases) -> Result<Document
         }
     }
     unread.extend(take_duplicates(&mut statements));
+    let alike = aliases.looks.declare_all(&statements);
+    unread.extend(take_out(&mut statements, alike));
     if unread.is_empty() && statements.is_empty() {
-        return Err(found.nothing_found());
+        return Err(vec![found.nothing_found()]);
     }
     unread.sort_by_key(|unread| unread.span.start);
+    aliases.looks.leave_document(source);
     Ok(Document {
         title: found.title,
         statements,
         unread,
         aliases,
     })
+}
+
+/// Takes out the statements in which something is wrong.
+fn take_out(statements: &mut Vec<Statement>, wrong: Vec<Diagnostic>) -> Vec<Unread> {
+    let mut unread = Vec::new();
+    for diagnostic in wrong {
+        let place = diagnostic.span.start;
+        let within = |statement: &Statement| statement.span.contains(&place);
+        let (span, intent) = match statements.iter().position(within) {
+            Some(found) => {
+                let statement = statements.remove(found);
+                (statement.span.clone(), Intent::of(&statement))
+            }
+            None => (diagnostic.span.clone(), Intent::default()),
+        };
+        unread.push(Unread {
+            span,
+            diagnostic,
+            intent,
+        });
+    }
+    unread
 }
 
 /// From the first to the last of some tokens.
@@ -166,9 +208,11 @@ fn surely_begins(text: &str, tokens: &[Token]) -> bool {
     is_keyword(word) && !is_entry || line.any(|kind| kind == TokenKind::Define)
 }
 
-/// Takes out every statement with a label whose identifier an earlier one has.
+/// Takes out every statement with a label whose identifier an earlier one has, or that looks like an
+/// earlier one.
 fn take_duplicates(statements: &mut Vec<Statement>) -> Vec<Unread> {
     let mut first: BTreeMap<&str, &Label> = BTreeMap::new();
+    let mut looks: BTreeMap<String, &Label> = BTreeMap::new();
     let mut refused = BTreeMap::new();
     let labels = statements.iter().filter_map(label_of);
     let taken: BTreeSet<&str> = labels.map(|label| label.id.as_str()).collect();
@@ -176,17 +220,19 @@ fn take_duplicates(statements: &mut Vec<Statement>) -> Vec<Unread> {
         let Some(label) = label_of(statement) else {
             continue;
         };
-        match first.get(label.id.as_str()) {
-            Some(earlier) => {
-                let unread = Unread {
-                    span: statement.span.clone(),
-                    diagnostic: duplicate(label, earlier, &taken),
-                    intent: Intent::of(statement),
-                };
-                refused.insert(place, unread);
-            }
-            None => drop(first.insert(&label.id, label)),
-        }
+        let alike = *looks.entry(skeleton(&label.text)).or_insert(label);
+        let earlier = *first.entry(label.id.as_str()).or_insert(label);
+        let diagnostic = match (earlier.span == label.span, alike.id == label.id) {
+            (true, true) => continue,
+            (true, false) => labels_look_alike(label, alike),
+            (false, _) => duplicate(label, earlier, &taken),
+        };
+        let unread = Unread {
+            span: statement.span.clone(),
+            diagnostic,
+            intent: Intent::of(statement),
+        };
+        refused.insert(place, unread);
     }
     let mut place = 0..;
     statements.retain(|_| {
@@ -206,6 +252,17 @@ fn duplicate(label: &Label, earlier: &Label, taken: &BTreeSet<&str>) -> Diagnost
             "give one of them a label that no other has, such as `{}`",
             label.free_variant(taken)
         ))
+}
+
+fn labels_look_alike(label: &Label, earlier: &Label) -> Diagnostic {
+    let message = format!("the label `{}` looks like an earlier one", label.text);
+    Diagnostic::new(DiagnosticKind::LookAlike, label.span.clone(), message)
+        .with_label(format!("this is `{}` in ASCII", label.id))
+        .with_secondary(
+            earlier.span.clone(),
+            format!("and this is `{}`", earlier.id),
+        )
+        .with_help("give one of them a label that looks different")
 }
 
 fn label_of(statement: &Statement) -> Option<&Label> {

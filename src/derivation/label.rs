@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use unicode_normalization::UnicodeNormalization;
 
+use super::character::{code, is_known};
 use super::cursor::{Cursor, Parsed};
 use super::diagnostic::Diagnostic;
 use super::lexer::TokenKind;
@@ -28,7 +29,17 @@ impl Cursor<'_> {
         }
         let close = self.here();
         self.expect_closing(closing, &open)?;
-        let text = self.text_of(&(open.end..close.start)).trim();
+        let inside = open.end..close.start;
+        let text = self.text_of(&inside).trim();
+        if let Some((at, foreign)) = self.text_of(&inside).char_indices().find(is_foreign) {
+            let start = inside.start + at;
+            let message = format!("`{foreign}` is of a script that labels are not written in");
+            return Err(
+                Diagnostic::syntax(start..start + foreign.len_utf8(), message)
+                    .with_label(code(foreign))
+                    .with_help("write labels in Latin or Greek letters, digits and punctuation"),
+            );
+        }
         let label = Label {
             text: text.to_owned(),
             equation: is_equation.then(|| first_part(text).to_owned()),
@@ -70,6 +81,11 @@ impl Label {
             None => format!("[{text}]"),
         }
     }
+}
+
+/// Whether a character of a label is of a block of Unicode that the language does not know.
+fn is_foreign(place: &(usize, char)) -> bool {
+    !is_known(place.1) && !matches!(place.1, '\r' | '\n')
 }
 
 /// What stands before the first comma.

@@ -6,11 +6,11 @@ use super::syntax::Span;
 
 /// What a token is.
 #[derive(Logos, Clone, Copy, Debug, PartialEq, Eq)]
-#[logos(skip r"[ \t\r\u{A0}\u{2009}\u{202F}]+")]
-#[logos(skip(r"#[^\n]*", allow_greedy = true))]
+#[logos(skip r"[ \t\u{A0}\u{2009}\u{202F}]+")]
+#[logos(skip(r"#[^\r\n]*", allow_greedy = true))]
 pub(crate) enum TokenKind {
     /// The end of a line; it never leaves this module.
-    #[token("\n")]
+    #[regex(r"\r\n?|\n")]
     Newline,
     /// A word: a name, or a keyword where one may stand.
     // `∆` (increment) is a symbol, not a letter, but it is what keyboards give for Δ.
@@ -23,10 +23,10 @@ pub(crate) enum TokenKind {
     #[regex(r"⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+")]
     Superscript,
     /// `"words"`
-    #[regex(r#""[^"\n]*""#)]
+    #[regex(r#""[^"\r\n]*""#)]
     Text,
     /// A quotation mark without its partner on the same line.
-    #[regex(r#""[^"\n]*"#)]
+    #[regex(r#""[^"\r\n]*"#)]
     UnclosedText,
     /// `'`, `′′`, `″`
     #[regex(r"['′″‴]+")]

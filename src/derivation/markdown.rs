@@ -1,12 +1,27 @@
 //! The blocks of a Markdown document that are written in this language.
 
+mod extension;
+mod html;
+
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
+use super::character::faults;
 use super::diagnostic::{Diagnostic, DiagnosticKind, nearest};
 use super::syntax::Span;
 
 /// The first word behind the fence of a block in this language.
 const LANGUAGE: &str = "sextic";
+
+/// The words that begin what a reader takes for judged.
+const ASSERTIONS: [&str; 7] = [
+    "claim",
+    "refute",
+    "approximate",
+    "ill-formed",
+    "eigenpair",
+    "match",
+    "evaluator",
+];
 
 /// What a document contains besides its prose.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -41,12 +56,15 @@ impl Blocks {
     }
 }
 
-/// Finds the blocks as a Markdown reader does, and the fences that do not pair up.
+/// Finds the blocks as a Markdown reader does, with the fences that do not pair up, and with whatever a
+/// renderer may hide, move or show though it is not executed.
 pub fn blocks(text: &str) -> (Blocks, Vec<Diagnostic>) {
     let mut found = Blocks::default();
     let mut errors = Vec::new();
+    let mut whole = Vec::new();
     let mut heading: Option<String> = None;
     for (event, span) in Parser::new_ext(text, Options::empty()).into_offset_iter() {
+        errors.extend(written_otherwise(text, &event, &span));
         match event {
             Event::Start(Tag::Heading { .. }) if found.title.is_none() => {
                 heading = Some(String::new());
@@ -67,15 +85,81 @@ pub fn blocks(text: &str) -> (Blocks, Vec<Diagnostic>) {
                     found.nameless = Some(opening(text, &span));
                 }
                 match lines_of(text, &span, is_ours) {
-                    Ok(lines) if is_ours => found.blocks.push(lines),
+                    Ok(lines) if is_ours => {
+                        found.blocks.push(lines);
+                        whole.push(span);
+                    }
+                    Ok(lines) if language.is_empty() => {
+                        errors.extend(not_executed(text, &lines));
+                    }
                     Ok(_) => {}
                     Err(error) => errors.push(error),
                 }
             }
+            Event::Start(Tag::CodeBlock(CodeBlockKind::Indented)) => {
+                errors.extend(not_executed(text, &span));
+            }
+            Event::Start(Tag::HtmlBlock) => {
+                errors.extend(html::fault(text, &span).or_else(|| not_executed(text, &span)));
+            }
+            Event::InlineHtml(_) => errors.extend(html::fault(text, &span)),
             _ => {}
         }
     }
+    if errors.is_empty() {
+        errors.extend(extension::difference(text, &whole));
+    }
     (found, errors)
+}
+
+/// What nobody sees in a text whose characters are written in another way, such as `&shy;`.
+fn written_otherwise(text: &str, event: &Event<'_>, span: &Span) -> Option<Diagnostic> {
+    let (shown, span) = match event {
+        Event::Text(shown) | Event::Code(shown) => (shown, span.clone()),
+        Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(information))) => {
+            (information, opening(text, span))
+        }
+        _ => return None,
+    };
+    if text.get(span.clone()) == Some(shown) {
+        return None;
+    }
+    let fault = faults(shown).next()?;
+    Some(Diagnostic { span, ..fault })
+}
+
+/// The first line of a block that a reader takes for judged, and that is not executed.
+fn not_executed(text: &str, lines: &Span) -> Option<Diagnostic> {
+    let mut start = lines.start;
+    for line in text[lines.clone()].split_inclusive('\n') {
+        let said = line.trim();
+        if is_assertion(said) || opens_ours(said) {
+            let start = start + line.len() - line.trim_start().len();
+            let message = "this looks like a block of `sextic`, and is not executed";
+            let help = format!(
+                "begin the block at the left margin with ```{LANGUAGE}, or name another language there"
+            );
+            let span = start..start + said.len();
+            let error = Diagnostic::new(DiagnosticKind::Hidden, span, message);
+            return Some(error.with_label("never judged").with_help(help));
+        }
+        start += line.len();
+    }
+    None
+}
+
+/// Whether a line begins as an assertion does, with its label.
+fn is_assertion(line: &str) -> bool {
+    let mut rests = ASSERTIONS.iter().filter_map(|word| line.strip_prefix(word));
+    rests.any(|rest| rest.trim_start().starts_with(['(', '[']) && rest.contains(':'))
+}
+
+/// Whether a line opens a block of this language.
+fn opens_ours(line: &str) -> bool {
+    let fence = fence_of(line);
+    let information = line.trim_start().trim_start_matches(fence);
+    let is_fence = fence.len() >= 3 && fence.starts_with(['`', '~']);
+    is_fence && information.split_whitespace().next() == Some(LANGUAGE)
 }
 
 /// Whether a language is `Sextic`, `sextix` or `{.sextic}`, which would be passed over.
@@ -113,7 +197,7 @@ fn lines_of(text: &str, block: &Span, is_ours: bool) -> Result<Span, Diagnostic>
         .map_or(first, |newline| first + newline + 1);
     // In a quotation the closing fence stands behind `>`.
     let closing = rest[last - first..].trim_start_matches(['>', ' ', '\t']);
-    if !closes(closing.trim_end(), fence) {
+    if !closes(closing.trim_end_matches([' ', '\t']), fence) {
         return Err(unbalanced(opening, "this block is never closed")
             .with_label("opened here")
             .with_help(format!("end it with a line that is only {fence}")));
@@ -127,6 +211,10 @@ fn lines_of(text: &str, block: &Span, is_ours: bool) -> Result<Span, Diagnostic>
             .with_label("this line does not begin a block")
             .with_secondary(opening, "this block is not closed before it")
             .with_help(help));
+    }
+    let information = opening_line.trim_matches(['`', '~', ' ', '\t', '\r']);
+    if is_ours && information != LANGUAGE {
+        return Err(misspelt(text, block, information));
     }
     let at_margin = text[..block.start].ends_with('\n') || block.start == 0;
     if is_ours && !(at_margin && opening_line.starts_with(fence)) {
@@ -156,10 +244,7 @@ fn closes(line: &str, fence: &str) -> bool {
 fn opening_inside(text: &str, lines: &Span, fence: &str) -> Option<Span> {
     let mut start = lines.start;
     for line in text[lines.clone()].split_inclusive('\n') {
-        let inner = fence_of(line);
-        let information = line.trim_start().trim_start_matches(inner);
-        let is_ours = information.split_whitespace().next() == Some(LANGUAGE);
-        if is_ours && inner.starts_with(fence) {
+        if opens_ours(line) && fence_of(line).starts_with(fence) {
             return Some(start..start + line.trim_end().len());
         }
         start += line.len();

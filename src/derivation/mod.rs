@@ -2,6 +2,7 @@
 
 pub mod assertion;
 pub mod audit;
+mod character;
 pub mod condition;
 mod cursor;
 mod declaration_parser;
@@ -18,6 +19,8 @@ pub mod intent;
 pub mod judge;
 pub mod label;
 mod lexer;
+mod line_end;
+mod look_alike;
 pub mod markdown;
 pub mod matching;
 pub mod mention;

@@ -1,13 +1,16 @@
 //! How names are spelled: `ω_n` and `omega_n` are one name, and `ẋ` is the rate of `x`.
 
 pub(crate) mod greek;
+pub(crate) mod skeleton;
 
 use std::collections::BTreeMap;
 
 use unicode_normalization::UnicodeNormalization;
 
+use super::look_alike::Looks;
 use super::syntax::Name;
 use greek::{greek_letter, transliterate, usual_shape};
+use skeleton::disguised;
 
 /// One dot above a letter.
 const DOT_ABOVE: char = '\u{307}';
@@ -53,6 +56,8 @@ pub enum InvalidName {
     MisplacedDot,
     /// It has three dots or more.
     TooManyDots,
+    /// A part of it is Latin but for this Greek letter, which looks like the Latin one behind it.
+    TwoScripts(char, char),
 }
 
 impl DottedName {
@@ -82,6 +87,9 @@ impl DottedName {
                 return Err(InvalidName::TooManyDots);
             }
         }
+        if let Some((greek, latin)) = disguised(&plain) {
+            return Err(InvalidName::TwoScripts(greek, latin));
+        }
         Ok(Self {
             name: Name::new(&plain),
             dots,
@@ -106,10 +114,13 @@ impl DottedName {
     }
 }
 
-/// Which ASCII spellings a document chose for its names: `S_xθ` is `S_xt` where it was declared `as S_xt`.
+/// Which ASCII spellings a document chose for its names: `S_xθ` is `S_xt` where it was declared `as S_xt`;
+/// and what all of its names look like.
 #[derive(Clone, Debug, Default)]
 pub struct Aliases {
     declared: BTreeMap<String, Name>,
+    /// What all names look like.
+    pub(crate) looks: Looks,
 }
 
 impl Aliases {
@@ -132,6 +143,7 @@ impl Aliases {
         let declared = other.declared.iter();
         self.declared
             .extend(declared.map(|(spelling, name)| (spelling.clone(), name.clone())));
+        self.looks.extend(&other.looks);
     }
 
     /// Whether nothing was declared.

@@ -6,6 +6,7 @@ use crate::algebra::symbol::Symbol;
 
 use super::condition::Conditions;
 use super::diagnostic::{Diagnostic, DiagnosticKind, nearest};
+use super::name::skeleton::skeleton;
 use super::quantity::{Quantity, Value};
 use super::syntax::{Expression, Name, Replacement, Span, Spanned};
 use super::unit::Unit;
@@ -213,12 +214,19 @@ impl Scope {
                 .values()
                 .flat_map(|entry| [entry.name.ascii.as_str(), entry.name.unicode.as_str()]);
             let candidates = known.chain(super::function::NAMES);
-            let help = match nearest(&name.unicode, candidates) {
+            let look = skeleton(&name.unicode);
+            let mut entries = self.entries.values();
+            let alike = entries.find(|entry| skeleton(&entry.name.unicode) == look);
+            let help = match (alike, nearest(&name.unicode, candidates)) {
+                (Some(Entry { name: alike, .. }), _) => format!(
+                    "`{alike}` looks the same: in ASCII it is `{}`, and this one is `{}`",
+                    alike.ascii, name.ascii
+                ),
                 _ if name.ascii == "pi" => format!(
                     "numbers are exact, and this one is not known: declare a parameter for it, `parameter {name} : 1 > 0`"
                 ),
-                Some(near) => format!("did you mean `{near}`?"),
-                None => {
+                (None, Some(near)) => format!("did you mean `{near}`?"),
+                (None, None) => {
                     "declare it as a parameter, an angle or a coordinate, or define it with `:=`"
                         .into()
                 }

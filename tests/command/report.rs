@@ -197,8 +197,8 @@ fn what_does_not_apply_to_a_case_is_said_in_its_report() {
 
 #[test]
 fn hostile_text_is_shown_and_not_obeyed() {
-    let hostile = "# A <script>alert('title')</script> & \"quotes\"\n\n\
-        <script>alert(1)</script>\n\nInline <img src=\"https://nowhere.example/x.png\"> and &amp;\u{1} \
+    let hostile = "# A &lt;script>alert('title')&lt;/script> & \"quotes\"\n\n\
+        &lt;script>alert(1)&lt;/script>\n\nInline `<img src=\"https://nowhere.example/x.png\">` and &amp; \
         ![picture](https://nowhere.example/y.png) [run](javascript:alert(2)) [file](other.md)\n\n\
         ```sextic\nparameter a, b : m \"<b onclick='x'>bold</b> & {{ 1 + 1 }}\"\n\
         claim [one]: a + b == b + a \"</p><script>alert(3)</script>\"\n```\n";
@@ -210,8 +210,7 @@ fn hostile_text_is_shown_and_not_obeyed() {
     stands_alone(&page);
     let said = words(page.root_element());
     for expected in [
-        // Of a heading, only the text is the title.
-        "A alert('title') & \"quotes\"",
+        "A <script>alert('title')</script> & \"quotes\"",
         "<script>alert(1)</script>",
         "<b onclick='x'>bold</b> & {{ 1 + 1 }}",
         "</p><script>alert(3)</script>",

@@ -37,7 +37,7 @@ impl Reader<'_> {
         let mut failed = FailedImports::new();
         loop {
             let document = read_document(source, &self.aliases)
-                .map_err(|diagnostic| rejected(source, vec![diagnostic]))?;
+                .map_err(|diagnostics| rejected(source, diagnostics))?;
             if self.import(&document, source, &mut failed) == 0 {
                 return Ok((document, failed));
             }

@@ -13,6 +13,7 @@ use crate::derivation::elaboration::Elaborator;
 use crate::derivation::evaluator::Evaluator;
 use crate::derivation::intent::{Intent, Unread};
 use crate::derivation::judge::matching::MatchingCheck;
+use crate::derivation::line_end::unified;
 use crate::derivation::matching::Matched;
 use crate::derivation::name::Aliases;
 use crate::derivation::notation::Notation;
@@ -132,7 +133,7 @@ impl<'a> Reader<'a> {
         let unread = document.unread.into_iter().map(Item::Unread);
         let mut items: Vec<Item> = statements.chain(unread).collect();
         items.sort_by_key(Item::start);
-        let lines = lines(&source.text, items.iter().map(Item::start));
+        let lines = lines(&unified(&source.text), items.iter().map(Item::start));
         for (item, line) in items.iter().zip(&lines) {
             if let Some(import) = failed.get(&item.start()) {
                 self.step_to(source, *line);

@@ -162,6 +162,10 @@ impl Cursor<'_> {
                 format!("`{word}` has a dot above a letter that is not its first"),
                 "write the dot above the first letter, as in `ẋ_d`, or write `dt(x_d)`",
             ),
+            InvalidName::TwoScripts(greek, latin) => (
+                format!("`{word}` has the Greek `{greek}`, which looks like the Latin `{latin}`"),
+                "write each part of a name in one script, or take a letter that looks different",
+            ),
             InvalidName::TooManyDots => (
                 format!("`{word}` has more than two dots"),
                 "write `dt(ẍ)` for a third derivative",

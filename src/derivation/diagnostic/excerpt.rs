@@ -1,5 +1,6 @@
 //! A document's lines as messages quote them: none is too long to read.
 
+use crate::derivation::character::visible;
 use crate::derivation::syntax::Span;
 
 /// How many characters of a line are shown.
@@ -46,7 +47,7 @@ impl Excerpt {
             self.text.push(DOTS);
         }
         let shown_at = self.text.len();
-        self.text.push_str(&text[window.clone()]);
+        self.text.push_str(&visible(&text[window.clone()]));
         if window.end < content.end {
             self.text.push(DOTS);
         }
@@ -96,8 +97,9 @@ fn window(text: &str, line: &Span, marks: &[Span]) -> Span {
     start..end
 }
 
-/// A text with its end left out if it is long.
+/// A text with its end left out if it is long, and a sign for what cannot be seen.
 pub(super) fn shortened(text: &str) -> String {
+    let text = &visible(text);
     match text.char_indices().nth(3 * MOST_SHOWN) {
         Some((end, _)) => format!("{}{DOTS}", &text[..end]),
         None => text.to_owned(),
