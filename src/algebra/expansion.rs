@@ -1,31 +1,25 @@
 //! Expansion in small quantities.
 
-use std::collections::BTreeMap;
-
-use super::arithmetic::{Arithmetic, Division};
-use super::differential::Differential;
+use super::arithmetic::Arithmetic;
 use super::error::AlgebraError;
 use super::fraction::Fraction;
-use super::generator::Generator;
-use super::number::{Integer, Rational};
 use super::polynomial::Polynomial;
 use super::ring::Ring;
-use super::substitution::Substitution;
+use super::series::{Expansion, depends};
 use super::symbol::Symbol;
 
 impl Ring {
     /// The terms of total degree 0, 1, …, `order` of an element in the small quantities q.
     ///
-    /// The part of degree k is Dᵏf/k! at q = 0, with D the derivative along q: it maps each qᵢ to a
-    /// constant δᵢ, which is read as qᵢ in the end.
+    /// They are those of the power series in q, as far as the element is smooth at q = 0.
     ///
-    /// Complexity: one pass over the terms of a polynomial in q; `order` differentials, each of an
-    /// element that grows with the degree before, of anything else.
+    /// Complexity: for each degree one pass over the terms of a polynomial in q; of anything else, the
+    /// square of the order in products for each symbol that depends on q.
     ///
     /// # Errors
     ///
     /// [`AlgebraError::DivisionByZero`] where the element or a derivative has no value at q = 0,
-    /// and those of [`Ring::substitute`].
+    /// and those of the arithmetic.
     ///
     /// ```
     /// use sextic::algebra::{
@@ -51,9 +45,6 @@ impl Ring {
 
     /// The parts of an element as [`Ring::expand`] gives them, up to the first that may be the last, or
     /// to the degree behind which there are none, if all that are required exist.
-    ///
-    /// The part of degree k is Dᵏf/k! at q = 0, with D the derivative along q: it maps each qᵢ to a
-    /// constant δᵢ, which is read as qᵢ in the end.
     fn expand_until(
         &mut self,
         element: &Fraction,
@@ -62,65 +53,43 @@ impl Ring {
         order: u32,
         last: impl Fn(u32, &Fraction) -> bool,
     ) -> Result<Vec<Fraction>, AlgebraError> {
-        let mut along = BTreeMap::new();
-        let mut at_zero = Substitution::new();
-        let mut back = Substitution::new();
-        for symbol in small {
-            let direction = self.symbol(Generator::Constant {
-                name: format!("δ{}", symbol.index()),
-            })?;
-            along.insert(*symbol, self.element(direction));
-            at_zero.insert(*symbol, self.zero());
-            back.insert(direction, self.element(*symbol));
-        }
-        let along = Differential::Images(along);
-        let polynomial = self.is_polynomial_in(element, small, &along)?;
-        let mut derivative = element.clone();
-        let mut factorial = Integer::ONE;
-        let mut parts = Vec::new();
-        for degree in 0..=order {
-            let part = if polynomial {
-                self.part_of_degree(element, small, degree)?
-            } else {
-                if degree > 0 {
-                    derivative = self.differentiate(&derivative, &along)?;
-                    factorial *= degree;
-                }
-                let value = match self.substitute(&derivative, &at_zero) {
-                    // Beyond what is required the expansion may end.
-                    Err(AlgebraError::DivisionByZero) if degree > required => break,
-                    value => value?,
-                };
-                let value = self.substitute(&value, &back)?;
-                self.quotient(&value, &Fraction::from(Rational::from(factorial.clone())))?
+        let polynomial = self.is_polynomial_in(element, small);
+        let mut reached = required;
+        loop {
+            let mut parts = match polynomial {
+                true => self.parts_to(element, small, reached)?,
+                false => Expansion::new(self, small, reached).parts(element)?,
             };
-            let enough = last(degree, &part);
-            parts.push(part);
-            if enough {
-                break;
+            if parts.len() <= required as usize {
+                return Err(AlgebraError::DivisionByZero);
             }
+            let found = (0..).zip(&parts).position(|(degree, part)| last(degree, part));
+            if let Some(found) = found {
+                parts.truncate(found + 1);
+            }
+            // Behind a part that does not exist there is none.
+            if found.is_some() || reached >= order || parts.len() <= reached as usize {
+                return Ok(parts);
+            }
+            reached = (2 * reached).max(reached + 2).min(order);
         }
-        Ok(parts)
     }
 
     /// Whether the small quantities appear above the line only, and in no other symbol's meaning.
-    fn is_polynomial_in(
-        &mut self,
+    fn is_polynomial_in(&self, element: &Fraction, small: &[Symbol]) -> bool {
+        let still = |symbol: &Symbol| !depends(self, *symbol, small);
+        let (above, below) = (element.numerator().symbols(), element.denominator().symbols());
+        below.iter().all(still) && above.iter().all(|symbol| small.contains(symbol) || still(symbol))
+    }
+
+    /// The terms of each total degree up to an order, of a polynomial in the small quantities.
+    fn parts_to(
+        &self,
         element: &Fraction,
         small: &[Symbol],
-        along: &Differential,
-    ) -> Result<bool, AlgebraError> {
-        let below = element.denominator().symbols();
-        for symbol in below.iter().copied().chain(element.numerator().symbols()) {
-            let is_small = small.contains(&symbol);
-            if is_small && below.contains(&symbol) {
-                return Ok(false);
-            }
-            if !is_small && !self.image(symbol, along)?.is_zero() {
-                return Ok(false);
-            }
-        }
-        Ok(true)
+        order: u32,
+    ) -> Result<Vec<Fraction>, AlgebraError> {
+        (0..=order).map(|degree| self.part_of_degree(element, small, degree)).collect()
     }
 
     /// The terms of one total degree in the small quantities, of a polynomial in them.

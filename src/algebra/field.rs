@@ -16,6 +16,12 @@ impl Ring {
         self.fraction(element.numerator(), element.denominator())
     }
 
+    /// Whether an element contains no symbol whose square is another.
+    fn is_free(&self, element: &Fraction) -> bool {
+        let sides = [element.numerator(), element.denominator()];
+        sides.iter().all(|side| self.last_symbol(side, 1, Generator::is_quadratic).is_none())
+    }
+
     /// aⁿ, for negative n as well; a⁰ = 1.
     ///
     /// Complexity: at most 2·log₂|n| products.
@@ -28,6 +34,11 @@ impl Ring {
         if exponent < 0 {
             let inverse = self.quotient(&self.one(), base)?;
             return self.power(&inverse, exponent.saturating_neg());
+        }
+        if let Ok(exponent) = i32::try_from(exponent)
+            && self.is_free(base)
+        {
+            return base.power(exponent, self.budget());
         }
         let (mut result, mut square, mut rest) = (self.one(), base.clone(), exponent);
         while rest > 0 {

@@ -1,5 +1,6 @@
 //! Greatest common divisors.
 
+mod interpolation;
 mod subresultant;
 
 use std::collections::BTreeMap;
@@ -21,10 +22,11 @@ impl Polynomial {
     /// degree of the gcd in every symbol from images modulo a prime, which
     /// takes linear time and settles coprime arguments. A symbol that the gcd
     /// does not contain is eliminated by passing to coefficients. If all this
-    /// leaves two polynomials neither of which divides the other, the sequence
-    /// of subresultants in one symbol decides; its cost is a polynomial in the
-    /// degrees and in the number of terms, but grows exponentially with the
-    /// number of symbols of the gcd.
+    /// leaves two polynomials neither of which divides the other, the gcd is
+    /// interpolated from images modulo primes, whose number is a product of
+    /// degrees; where that would be too many, the sequence of subresultants in
+    /// one symbol decides, whose cost grows exponentially with the number of
+    /// symbols of the gcd.
     ///
     /// ```
     /// use sextic::algebra::{budget::Budget, polynomial::Polynomial, symbol::Symbol};
@@ -121,7 +123,10 @@ fn primitive_gcd(
     let (left_content, left) = split_content(left, symbol, budget)?;
     let (right_content, right) = split_content(right, symbol, budget)?;
     let content = left_content.gcd(&right_content, budget)?;
-    let main = subresultant::gcd(left, right, symbol, bound, budget)?;
+    let main = match interpolation::gcd(&left, &right, symbol, &bounds, budget)? {
+        Some(main) => main,
+        None => subresultant::gcd(left, right, symbol, bound, budget)?,
+    };
     Ok(content.multiply(&main, budget)?.with_positive_leading())
 }
 
@@ -173,7 +178,9 @@ pub(super) fn quotient(
 
 #[cfg(test)]
 mod tests {
-    use super::super::polynomial::notation::polynomial;
+    use proptest::prelude::*;
+
+    use super::super::polynomial::notation::{arbitrary, polynomial};
     use super::*;
 
     #[test]
@@ -196,6 +203,36 @@ mod tests {
             let gcd = left.gcd(&right, &Budget::new(10_000)).unwrap();
             assert_eq!(gcd, polynomial(expected), "gcd of {left:?} and {right:?}");
         }
+    }
+
+    proptest! {
+        #[test]
+        fn both_ways_find_the_gcd_of_multiples(
+            left in arbitrary(5, 4, 6), right in arbitrary(5, 4, 6), common in arbitrary(5, 4, 70),
+        ) {
+            let budget = Budget::unlimited();
+            let product = |factor: &Polynomial| factor.multiply(&common, &budget).unwrap();
+            let (left, right) = (product(&left), product(&right));
+            let found = left.gcd(&right, &budget).unwrap();
+            prop_assert!(found.is_zero() || found.divide_exact(&common, &budget).unwrap().is_some());
+            // What is left has no common divisor: with one more factor there is no more in common.
+            if !found.is_zero() {
+                let [left, right] = [&left, &right].map(|side| quotient(side, &found, &budget).unwrap());
+                let bounds = degrees_of_gcd(&left, &right, &budget).unwrap();
+                prop_assert!(bounds.iter().next().is_none());
+            }
+        }
+    }
+
+    #[test]
+    fn multiples_of_five_terms_are_cheap() {
+        let common = polynomial("3*a^3*b*e - 7*b^2*c^2*d + 5*c^3*e^2 + 2*a*d^3 - 11");
+        let left = polynomial("2*a^2*b^3 - 5*c*d*e^2 + 7*b*d^3 - 3*a*c^2*e + 13*d");
+        let right = polynomial("9*b^3*e + 4*a^2*c*d - 6*c^3 + a*b*e^3 - 17*e");
+        let budget = Budget::unlimited();
+        let product = |factor: &Polynomial| factor.multiply(&common, &budget).unwrap();
+        let gcd = product(&left).gcd(&product(&right), &Budget::new(10_000_000));
+        assert_eq!(gcd, Ok(common));
     }
 
     #[test]

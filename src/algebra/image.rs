@@ -9,7 +9,7 @@
 
 use super::budget::{Budget, Exhausted};
 use super::degrees::Degrees;
-use super::modular::{PRIME, power, reduce, residue, times};
+use super::modular::{Field, power, reduce, residue, times, trim};
 use super::polynomial::Polynomial;
 use super::symbol::Symbol;
 
@@ -36,7 +36,7 @@ pub(super) fn degrees_of_gcd(
         let least = left_degree.min(right_degree);
         *bounds.entry(symbol) = if certain {
             budget.spend(u64::from(left_degree) * u64::from(right_degree))?;
-            degree_of_univariate_gcd(first, second).min(least)
+            (Field::FIRST.gcd(first, second).len().saturating_sub(1) as u32).min(least)
         } else {
             least
         };
@@ -59,7 +59,7 @@ impl<'a> Image<'a> {
             let mut value = residue(coefficient);
             let mut factors = 1;
             for (symbol, exponent) in monomial.factors() {
-                value = times(value, power(coordinate(symbol), exponent));
+                value = times(value, power(Field::FIRST.node(symbol, 0), exponent));
                 factors += 1;
             }
             budget.spend(factors)?;
@@ -83,50 +83,14 @@ impl<'a> Image<'a> {
             let sum = &mut coefficients[monomial.exponent(symbol) as usize];
             *sum = reduce(*sum + value);
         }
-        trim(coefficients)
+        trim(&mut coefficients);
+        coefficients
     }
-}
-
-/// A coordinate of the point for every symbol, not zero: an arbitrary but
-/// fixed one, from the mixing function of SplitMix64.
-fn coordinate(symbol: Symbol) -> u64 {
-    let mut mixed = (symbol.index() as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    mixed = (mixed ^ mixed >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-    mixed % (PRIME - 1) + 1
-}
-
-/// The degree of the gcd of two polynomials in one symbol modulo the prime,
-/// given by their coefficients from the lowest, the last of them not zero.
-fn degree_of_univariate_gcd(mut left: Vec<u64>, mut right: Vec<u64>) -> u32 {
-    while let Some(&leading) = right.last() {
-        let inverse = power(leading, PRIME - 2);
-        while left.len() >= right.len() {
-            let Some(top) = left.pop() else { break };
-            let factor = PRIME - times(top, inverse);
-            let low = left.len() + 1 - right.len();
-            for (value, partner) in left[low..].iter_mut().zip(&right) {
-                *value = reduce(*value + times(factor, *partner));
-            }
-        }
-        left = trim(left);
-        (left, right) = (right, left);
-    }
-    left.len().saturating_sub(1) as u32
-}
-
-/// Takes leading zeros away.
-fn trim(mut coefficients: Vec<u64>) -> Vec<u64> {
-    let length = coefficients
-        .iter()
-        .rposition(|&value| value != 0)
-        .map_or(0, |top| top + 1);
-    coefficients.truncate(length);
-    coefficients
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::modular::PRIME;
     use super::super::number::Integer;
     use super::super::polynomial::notation::{polynomial, symbol};
     use super::*;

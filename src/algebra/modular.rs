@@ -1,6 +1,7 @@
 //! Whole numbers modulo a large prime.
 
 use super::number::Integer;
+use super::symbol::Symbol;
 
 /// The prime 2^61 - 1; it is 3 modulo 4.
 pub const PRIME: u64 = (1 << 61) - 1;
@@ -52,9 +53,131 @@ pub fn square_root(value: u64) -> Option<u64> {
     (times(root, root) == value).then_some(root)
 }
 
+/// The numbers modulo one of a few primes just below 2^61, and polynomials in one symbol over them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Field {
+    prime: u64,
+}
+
+/// What the primes lack of 2^61.
+const GAPS: [u64; 7] = [1, 31, 45, 229, 259, 283, 339];
+
+impl Field {
+    /// The field modulo [`PRIME`], which is the fastest.
+    pub const FIRST: Field = Field { prime: PRIME };
+
+    /// All of them, [`Field::FIRST`] first.
+    pub fn all() -> impl Iterator<Item = Field> {
+        GAPS.iter().map(|gap| Field { prime: (1 << 61) - gap })
+    }
+
+    /// The number of elements.
+    pub fn prime(self) -> u64 {
+        self.prime
+    }
+
+    /// The residue of an integer.
+    pub fn residue(self, integer: &Integer) -> u64 {
+        (integer % self.prime as i64).rem_euclid(self.prime as i64) as u64
+    }
+
+    /// a + b
+    pub fn sum(self, a: u64, b: u64) -> u64 {
+        let sum = a + b;
+        sum.checked_sub(self.prime).unwrap_or(sum)
+    }
+
+    /// a − b
+    pub fn difference(self, a: u64, b: u64) -> u64 {
+        self.sum(a, self.prime - b)
+    }
+
+    /// a·b
+    pub fn times(self, a: u64, b: u64) -> u64 {
+        if self.prime == PRIME {
+            return times(a, b);
+        }
+        (u128::from(a) * u128::from(b) % u128::from(self.prime)) as u64
+    }
+
+    /// aⁿ
+    pub fn power(self, base: u64, mut exponent: u64) -> u64 {
+        let (mut power, mut square) = (1, base);
+        while exponent > 0 {
+            if exponent & 1 == 1 {
+                power = self.times(power, square);
+            }
+            exponent >>= 1;
+            if exponent > 0 {
+                square = self.times(square, square);
+            }
+        }
+        power
+    }
+
+    /// 1/a, and 0 for 0.
+    pub fn inverse(self, a: u64) -> u64 {
+        self.power(a, self.prime - 2)
+    }
+
+    /// One of the numbers that are put for a symbol, each one more than the one before: arbitrary but
+    /// fixed ones, from the mixing function of SplitMix64.
+    pub fn node(self, symbol: Symbol, place: usize) -> u64 {
+        let mut mixed = (symbol.index() as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        mixed = (mixed ^ mixed >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+        self.sum(mixed % (self.prime - 1) + 1, place as u64)
+    }
+
+    /// The gcd of two polynomials in one symbol but for a factor, all given by their coefficients from
+    /// the lowest, the last of them not zero.
+    pub fn gcd(self, mut left: Vec<u64>, mut right: Vec<u64>) -> Vec<u64> {
+        while let Some(&leading) = right.last() {
+            let inverse = self.inverse(leading);
+            while left.len() >= right.len() {
+                let Some(top) = left.pop() else { break };
+                let factor = self.prime - self.times(top, inverse);
+                let low = left.len() + 1 - right.len();
+                for (value, partner) in left[low..].iter_mut().zip(&right) {
+                    *value = self.sum(*value, self.times(factor, *partner));
+                }
+            }
+            trim(&mut left);
+            (left, right) = (right, left);
+        }
+        left
+    }
+}
+
+/// Takes leading zeros away.
+pub(super) fn trim(coefficients: &mut Vec<u64>) {
+    let top = coefficients.iter().rposition(|&value| value != 0);
+    coefficients.truncate(top.map_or(0, |top| top + 1));
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_field_is_one_of_a_prime() {
+        for field in Field::all() {
+            // Rabin's test to these bases is a proof below 3·10²⁴.
+            let odd = (field.prime() - 1) >> (field.prime() - 1).trailing_zeros();
+            for base in [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41] {
+                let mut power = field.power(base, odd);
+                let mut exponent = odd;
+                while exponent != field.prime() - 1 && power != 1 && power != field.prime() - 1 {
+                    power = field.times(power, power);
+                    exponent *= 2;
+                }
+                assert!(power == field.prime() - 1 || exponent == odd, "{}", field.prime());
+            }
+            assert_eq!(field.times(3, field.inverse(3)), 1);
+            assert_eq!(field.residue(&Integer::from(-1)), field.prime() - 1);
+            assert_eq!(field.difference(1, 2), field.prime() - 1);
+        }
+    }
 
     #[test]
     fn the_field_is_a_field() {

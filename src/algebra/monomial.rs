@@ -97,6 +97,23 @@ impl Monomial {
         Ok(product)
     }
 
+    /// `self^exponent`.
+    ///
+    /// # Errors
+    ///
+    /// [`Exhausted`] if an exponent exceeds
+    /// [`LARGEST_EXPONENT`](super::budget::LARGEST_EXPONENT).
+    pub fn raised(&self, exponent: u32) -> Result<Self, Exhausted> {
+        let mut power = Monomial::one();
+        for (symbol, own) in self.factors() {
+            let product = u64::from(own) * u64::from(exponent);
+            if product > 0 {
+                power.push(symbol, check_exponent(product)?);
+            }
+        }
+        Ok(power)
+    }
+
     /// `self / divisor`, or `None` where it does not divide.
     pub fn quotient(&self, divisor: &Self) -> Option<Self> {
         let mut quotient = Monomial::one();

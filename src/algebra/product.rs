@@ -59,12 +59,18 @@ impl Polynomial {
         }
     }
 
-    /// `self^exponent`, by repeated squaring; `0^0` is 1.
+    /// `self^exponent`; `0^0` is 1.
+    ///
+    /// Two terms are raised by the binomial theorem, in as many steps as the result has words, more
+    /// terms by repeated squaring.
     ///
     /// # Errors
     ///
     /// [`Exhausted`] as for [`multiply`](Polynomial::multiply).
     pub fn power(&self, exponent: u32, budget: &Budget) -> Result<Self, Exhausted> {
+        if let ([first, second], 2..) = (self.terms(), exponent) {
+            return binomial(first, second, exponent, budget);
+        }
         let mut power = Polynomial::one();
         for place in (0..u32::BITS - exponent.leading_zeros()).rev() {
             power = power.multiply(&power, budget)?;
@@ -80,6 +86,33 @@ impl Polynomial {
         let terms: Result<Vec<Term>, Exhausted> = self.terms().iter().map(times).collect();
         Ok(Polynomial::from_sorted(terms?))
     }
+}
+
+/// `(a + b)^n` of two terms a > b: a sum of `n + 1` terms, which do not meet.
+fn binomial(a: &Term, b: &Term, n: u32, budget: &Budget) -> Result<Polynomial, Exhausted> {
+    let bits = (a.1.bit_len() + b.1.bit_len() + 1).saturating_mul(n as usize);
+    // Each coefficient is a product of three, one of them from the one before it.
+    let steps = 4 * (bits as u64).div_ceil(64);
+    budget.spend(steps.saturating_mul(u64::from(n) + 1))?;
+    check_bits(bits)?;
+    check_terms(n as usize + 1)?;
+    let second_powers: Vec<Integer> = powers(&b.1, n);
+    let mut first_powers = powers(&a.1, n);
+    let mut ways = Integer::ONE;
+    let mut terms = Vec::with_capacity(n as usize + 1);
+    for (k, second_power) in (0..=n).zip(second_powers) {
+        let monomial = a.0.raised(n - k)?.product(&b.0.raised(k)?)?;
+        let first_power = first_powers.pop().unwrap_or(Integer::ONE);
+        terms.push((monomial, &ways * first_power * second_power));
+        ways = ways * Integer::from(n - k) / Integer::from(k + 1);
+    }
+    Ok(Polynomial::from_sorted(terms))
+}
+
+/// 1, c, …, cⁿ.
+fn powers(base: &Integer, n: u32) -> Vec<Integer> {
+    let next = |power: &Integer| Some(power * base);
+    std::iter::successors(Some(Integer::ONE), next).take(n as usize + 1).collect()
 }
 
 /// The number of words of all coefficients.
@@ -219,6 +252,15 @@ mod tests {
         }
 
         #[test]
+        fn powers_are_repeated_products(base in arbitrary(3, 300, 70), exponent in 0_u32..7) {
+            let budget = Budget::unlimited();
+            let repeated = (0..exponent).fold(Polynomial::one(), |product, _| {
+                product.multiply(&base, &budget).unwrap()
+            });
+            prop_assert_eq!(base.power(exponent, &budget).unwrap(), repeated);
+        }
+
+        #[test]
         fn long_coefficients_do_not_overflow(
             left in arbitrary(20, 2, 62), right in arbitrary(20, 2, 120), other in arbitrary(20, 2, 62),
         ) {
@@ -285,6 +327,15 @@ mod tests {
         };
         let [a, b] = ['a', 'b'].map(symbol);
         assert_eq!(resource(row(a).multiply(&row(b), &budget)), Resource::Terms);
+    }
+
+    #[test]
+    fn high_powers_of_two_terms_are_cheap() {
+        let power = polynomial("a + 1").power(2_000, &Budget::new(1_000_000)).unwrap();
+        assert_eq!(power.len(), 2_001);
+        // At a = 1 it is 2²⁰⁰⁰.
+        let sum = power.terms().iter().fold(Integer::ZERO, |sum, (_, c)| sum + c);
+        assert_eq!(sum, Integer::ONE << 2_000);
     }
 
     #[test]

@@ -217,6 +217,8 @@ impl Elaborator {
                 requirement: *requirement,
             })
         };
-        conditions.iter().map(present).collect()
+        let distinct = conditions.distinct(&self.ring);
+        let distinct = distinct.map_err(|error| algebra(error, span))?;
+        distinct.iter().map(present).collect()
     }
 }

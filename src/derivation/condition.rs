@@ -19,7 +19,7 @@ pub enum Requirement {
 }
 
 /// Conditions in lowest terms: of a product that must not vanish, each factor is a condition of its
-/// own, and what the assumptions give is left out.
+/// own, and what the assumptions give is left out; [`Conditions::distinct`] lists each once.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Conditions {
     required: BTreeSet<(Requirement, Polynomial)>,
@@ -74,14 +74,18 @@ impl Conditions {
     ///
     /// # Errors
     ///
-    /// [`AlgebraError::Exhausted`]
+    /// [`AlgebraError::NegativeRadicand`] for one that cannot be, [`AlgebraError::Exhausted`]
     pub fn require_positive(
         &mut self,
         element: &Fraction,
         ring: &Ring,
     ) -> Result<(), AlgebraError> {
-        if ring.signs(element)?.is_positive() {
+        let signs = ring.signs(element)?;
+        if signs.is_positive() {
             return Ok(());
+        }
+        if !signs.positive {
+            return Err(AlgebraError::NegativeRadicand);
         }
         let factored = ring.factored(element)?;
         let mut rest = match factored.coefficient < Rational::ZERO {
@@ -103,6 +107,38 @@ impl Conditions {
             self.required.insert((Requirement::Positive, rest));
         }
         Ok(())
+    }
+
+    /// The same conditions, each once: what must not vanish comes apart by common divisors, and what
+    /// follows from another condition is left out.
+    ///
+    /// Complexity: a gcd for each pair of polynomials that must not vanish.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::Exhausted`]
+    pub fn distinct(&self, ring: &Ring) -> Result<Conditions, AlgebraError> {
+        let of = |wanted| {
+            let required = self.required.iter().filter(move |(is, _)| *is == wanted);
+            required.map(|(_, polynomial)| polynomial.clone())
+        };
+        let mut distinct = Conditions::default();
+        let positive = of(Requirement::Positive).map(|positive| (Requirement::Positive, positive));
+        distinct.required.extend(positive);
+        // A complex number is 0 where the square of its magnitude is, which its conjugate shares.
+        let mut magnitudes: Vec<Polynomial> = of(Requirement::Positive).collect();
+        for factor in coprime(of(Requirement::NonZero).collect(), ring)? {
+            let magnitude = ring.norm(&factor)?;
+            let mut follows = false;
+            for known in &magnitudes {
+                follows |= known.divide_exact(&magnitude, ring.budget())?.is_some();
+            }
+            if !follows {
+                distinct.required.insert((Requirement::NonZero, factor));
+                magnitudes.push(magnitude);
+            }
+        }
+        Ok(distinct)
     }
 
     /// The conditions after a substitution.
@@ -132,4 +168,31 @@ impl Conditions {
         }
         Ok(conditions)
     }
+}
+
+/// Polynomials without common divisors that vanish where one of the given ones does.
+fn coprime(polynomials: Vec<Polynomial>, ring: &Ring) -> Result<Vec<Polynomial>, AlgebraError> {
+    let (mut waiting, mut apart) = (polynomials, Vec::<Polynomial>::new());
+    while let Some(polynomial) = waiting.pop() {
+        let mut shared = None;
+        for (place, known) in apart.iter().enumerate() {
+            let common = known.gcd(&polynomial, ring.budget())?;
+            if common.as_constant().is_none() {
+                shared = Some((place, common));
+                break;
+            }
+        }
+        let Some((place, common)) = shared else {
+            apart.push(polynomial);
+            continue;
+        };
+        // Their degrees together sink by that of the divisor, so that this ends.
+        let known = apart.swap_remove(place);
+        for side in [&known, &polynomial] {
+            let rest = side.divide_exact(&common, ring.budget())?;
+            waiting.extend(rest.filter(|rest| rest.as_constant().is_none()));
+        }
+        waiting.push(common);
+    }
+    Ok(apart)
 }

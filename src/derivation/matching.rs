@@ -56,8 +56,26 @@ pub struct Matched {
 pub struct Singularity {
     /// The system is singular where this is 0.
     pub factor: Expression,
-    /// Whether no denominator of the solution vanishes there.
-    pub finite: bool,
+    /// Whether the solution exists there, as long as no other of the factors is 0.
+    pub existence: Existence,
+}
+
+impl Singularity {
+    /// Whether the solution certainly stays finite.
+    pub fn is_finite(&self) -> bool {
+        self.existence == Existence::Stays
+    }
+}
+
+/// Whether a solution exists where the determinant of its equations vanishes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Existence {
+    /// It has a value there, for certain.
+    Stays,
+    /// It has a denominator that is 0 there.
+    Lost,
+    /// Neither was shown.
+    Unknown,
 }
 
 /// Something left out of a coefficient.
@@ -139,10 +157,10 @@ impl Elaborator {
 
         let mut conditions = std::mem::take(&mut self.conditions);
         let span = &matching.name.span;
+        let singular_where = self.singularities(&determinant, &values, &conditions, span)?;
         conditions
             .require_non_zero(&determinant, &self.ring)
             .map_err(|error| algebra(error, span))?;
-        let singular_where = self.singularities(&determinant, &values, span)?;
 
         let mut solution = Vec::new();
         for (unknown, value) in matching.unknowns.iter().zip(&values) {

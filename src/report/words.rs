@@ -2,7 +2,7 @@
 
 use crate::algebra::number::Rational;
 use crate::derivation::condition::Requirement;
-use crate::derivation::matching::{Matched, Row, Singularity};
+use crate::derivation::matching::{Existence, Matched, Row, Singularity};
 use crate::derivation::notation::Notation;
 use crate::derivation::syntax::{BinaryOperator, Expectation, Expression, Label, Node, Sign};
 use crate::derivation::verdict::{Claim, Condition, Coordinate, Verdict};
@@ -155,10 +155,10 @@ pub fn remainder(matched: &Matched, row: &Row, notation: Notation) -> Phrase {
 
 /// What becomes of the solution of a matching where its equations are singular.
 pub const fn at_singularity(singularity: &Singularity) -> &'static str {
-    if singularity.finite {
-        ", where the solution stays finite"
-    } else {
-        ", where the solution does not exist"
+    match singularity.existence {
+        Existence::Stays => ", where the solution stays finite",
+        Existence::Lost => ", where the solution does not exist",
+        Existence::Unknown => ", where it is not known whether the solution exists",
     }
 }
 

@@ -3,6 +3,7 @@
 mod bad_meaning;
 mod explosions;
 mod identities;
+mod matching;
 mod mutants;
 mod recovery;
 mod two_routes;

@@ -133,7 +133,7 @@ fn the_matching_is_locked() {
             }
             let _ = writeln!(text, "\ndeterminant = {}", ascii(&matched.determinant));
             for singularity in &matched.singular_where {
-                let finite = if singularity.finite {
+                let finite = if singularity.is_finite() {
                     "finite"
                 } else {
                     "infinite"
@@ -212,7 +212,7 @@ fn the_matching_is_singular_without_eccentricity_and_its_solution_is_not() {
         panic!("one singularity")
     };
     assert_eq!(Notation::Ascii.expression(&singularity.factor), "L_g");
-    assert!(singularity.finite);
+    assert!(singularity.is_finite());
     let orders: Vec<Option<u32>> = matched.table.iter().map(|row| row.order).collect();
     assert_eq!(orders, [None, None, Some(2), Some(3), Some(2), None, None]);
 }

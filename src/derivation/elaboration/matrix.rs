@@ -1,14 +1,18 @@
 //! Matrices: made of blocks, their entries, determinants and inverses.
 
 use crate::algebra::determinant::{adjugate, determinant};
+use crate::algebra::error::AlgebraError;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::linear_system::{Solution, solve};
 use crate::algebra::matrix::Matrix;
 use crate::algebra::number::Rational;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::quantity::{Quantities, Quantity, Value};
 use crate::derivation::syntax::{Expression, Span};
+use crate::derivation::unit::Unit;
 
 use super::Elaborator;
-use super::error::{quantity, shape};
+use super::error::{algebra, quantity, shape};
 use super::limit::{check_minors, check_sides};
 
 impl Elaborator {
@@ -86,7 +90,7 @@ impl Elaborator {
         Ok(value.at(row - 1, column - 1).clone().scalar())
     }
 
-    /// A⁻¹ = adj A/|A|; |A| must not vanish.
+    /// A⁻¹; |A| must not vanish.
     pub fn inverse(&mut self, matrix: &Value, span: &Span) -> Result<Value, Diagnostic> {
         if !matrix.is_square() {
             let (rows, columns) = matrix.shape();
@@ -95,29 +99,87 @@ impl Elaborator {
                     .with_help("only square matrices have one"),
             );
         }
-        let below = self.determinant(matrix, span)?;
-        let above = self.adjugate(matrix, span)?;
-        if below.value.is_zero() {
+        let singular = || {
             let message = "the determinant of this matrix is identically 0";
-            return Err(
-                Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
-                    .with_label("has no inverse")
-                    .with_help("look at its null space with `kernel(…)`"),
-            );
-        }
-        self.divide(&above, &below, span)
+            Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
+                .with_label("has no inverse")
+                .with_help("look at its null space with `kernel(…)`")
+        };
+        let solved = self.solved(matrix, &identity(matrix.rows()), span)?.ok_or_else(singular)?;
+        self.divide(&solved.numerators, &solved.determinant, span)
+    }
+
+    /// The solution of A·X = B, by minors where they are few, else by elimination; none where A is
+    /// singular.
+    pub fn solved(
+        &self,
+        matrix: &Value,
+        right: &Value,
+        span: &Span,
+    ) -> Result<Option<Solution<Quantity>>, Diagnostic> {
+        let refused = match check_minors(matrix, matrix.rows().pow(2).div_ceil(50), span) {
+            Ok(()) => {
+                let solved = solve(matrix, right, &Quantities(&self.ring));
+                let solved = solved.map_err(|error| quantity(error, span))?;
+                return Ok(Some(solved).filter(|solved| !solved.determinant.value.is_zero()));
+            }
+            Err(refused) => refused,
+        };
+        let (Some(unit), Some(of_right)) = (one_unit(matrix), one_unit(right)) else {
+            return Err(refused);
+        };
+        let solved = self.ring.eliminated_solution(&values(matrix), &values(right));
+        let solved = match solved {
+            Err(AlgebraError::DivisionByZero) => return Ok(None),
+            solved => solved.map_err(|error| algebra(error, span))?,
+        };
+        let size = Rational::from(matrix.rows());
+        let of_others = unit.power(&(&size - Rational::ONE));
+        let of_numerators = of_others.product(&of_right);
+        Ok(Some(Solution {
+            numerators: solved.numerators.map(|value| with_unit(value, &of_numerators)),
+            determinant: with_unit(&solved.determinant, &unit.power(&size)),
+        }))
     }
 
     /// |A| of a square matrix.
     pub fn determinant(&self, matrix: &Value, span: &Span) -> Result<Quantity, Diagnostic> {
-        check_minors(matrix, 1, span)?;
-        determinant(matrix, &Quantities(&self.ring)).map_err(|error| quantity(error, span))
+        let refused = match check_minors(matrix, 1, span) {
+            Ok(()) => {
+                let found = determinant(matrix, &Quantities(&self.ring));
+                return found.map_err(|error| quantity(error, span));
+            }
+            Err(refused) => refused,
+        };
+        let unit = one_unit(matrix).ok_or(refused)?;
+        let found = self.ring.eliminated_determinant(&values(matrix));
+        let found = found.map_err(|error| algebra(error, span))?;
+        Ok(with_unit(&found, &unit.power(&Rational::from(matrix.rows()))))
     }
 
     /// adj A of a square matrix.
     pub fn adjugate(&self, matrix: &Value, span: &Span) -> Result<Value, Diagnostic> {
         check_minors(matrix, matrix.rows().pow(2).div_ceil(50), span)?;
         adjugate(matrix, &Quantities(&self.ring)).map_err(|error| quantity(error, span))
+    }
+}
+
+/// The unit of all entries that are not 0, if it is one.
+fn one_unit(matrix: &Value) -> Option<Unit> {
+    let mut units = matrix.entries().iter().filter_map(|entry| entry.unit.as_ref());
+    let first = units.next().cloned().unwrap_or_default();
+    units.all(|unit| *unit == first).then_some(first)
+}
+
+fn values(matrix: &Value) -> Matrix<Fraction> {
+    matrix.map(|entry| entry.value.clone())
+}
+
+/// An element as a quantity; 0 fits every unit.
+fn with_unit(value: &Fraction, unit: &Unit) -> Quantity {
+    Quantity {
+        value: value.clone(),
+        unit: (!value.is_zero()).then(|| unit.clone()),
     }
 }
 

@@ -1,13 +1,13 @@
 //! Matrices: their parts and kinds, linear systems and null spaces.
 
 use crate::algebra::arithmetic::Arithmetic;
-use crate::algebra::linear_system::{null_space, solve};
+use crate::algebra::linear_system::null_space;
 use crate::algebra::matrix::Matrix;
 use crate::algebra::number::Rational;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::{quantity, shape};
-use crate::derivation::elaboration::limit::{check_minors, check_sides};
+use crate::derivation::elaboration::limit::check_sides;
 use crate::derivation::quantity::{Quantities, Quantity, Value};
 use crate::derivation::syntax::{Expression, Node, Span};
 
@@ -117,7 +117,7 @@ impl Elaborator {
         ))
     }
 
-    /// A⁻¹·b by Cramer's rule; |A| must not vanish.
+    /// A⁻¹·b; |A| must not vanish.
     pub(super) fn solution(
         &mut self,
         matrix: &Expression,
@@ -134,20 +134,16 @@ impl Elaborator {
             .with_label(format!("{} rows, not {}", b.rows(), a.rows()))
             .with_help("the right side of n equations is a column with n entries"));
         }
-        check_minors(&a, a.rows() + 1, span)?;
-        let solved =
-            solve(&a, &b, &Quantities(&self.ring)).map_err(|error| quantity(error, span))?;
-        if solved.determinant.value.is_zero() {
+        let singular = || {
             let message = "this linear system is singular: its determinant is identically 0";
-            return Err(
-                Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
-                    .with_label("has no unique solution")
-                    .with_help(
-                        "put other equations in the place of those that follow from the rest; \
-                         `kernel(…)` of the matrix shows what they leave open",
-                    ),
-            );
-        }
+            Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
+                .with_label("has no unique solution")
+                .with_help(
+                    "put other equations in the place of those that follow from the rest; \
+                     `kernel(…)` of the matrix shows what they leave open",
+                )
+        };
+        let solved = self.solved(&a, &b, span)?.ok_or_else(singular)?;
         self.divide(&solved.numerators, &solved.determinant, span)
     }
 

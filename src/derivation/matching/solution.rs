@@ -1,9 +1,12 @@
 //! The solution of a matching, and where it is singular.
 
 use crate::algebra::arithmetic::{Arithmetic, Division};
+use crate::algebra::error::AlgebraError;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::linear_system::solve;
 use crate::algebra::matrix::Matrix;
+use crate::algebra::polynomial::Polynomial;
+use crate::algebra::ring::Ring;
 use crate::derivation::condition::Conditions;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
@@ -12,7 +15,7 @@ use crate::derivation::elaboration::limit::check_minors_of;
 use crate::derivation::scope::Meaning;
 use crate::derivation::syntax::{Expression, Matching, Name, Replacement, Span};
 
-use super::Singularity;
+use super::{Existence, Singularity};
 use super::equations::Equations;
 
 /// Where the powers stand whose coefficients are used.
@@ -92,31 +95,31 @@ impl Elaborator {
         Ok((solution, solved.determinant))
     }
 
-    /// The factors of a determinant that may vanish.
+    /// The factors of a determinant that may vanish, where nothing but them is 0 that `conditions` keep
+    /// from it.
     pub(super) fn singularities(
         &mut self,
         determinant: &Fraction,
         solution: &[Fraction],
+        conditions: &Conditions,
         span: &Span,
     ) -> Result<Vec<Singularity>, Diagnostic> {
         let wrap = |error| algebra(error, span);
-        let mut found = Vec::new();
+        let mut factors = Vec::new();
         for (factor, exponent) in self.ring.factored(determinant).map_err(wrap)?.factors {
             let signs = self.ring.polynomial_signs(&factor).map_err(wrap)?;
-            if exponent < 0 || signs.is_non_zero() {
-                continue;
+            if exponent > 0 && !signs.is_non_zero() {
+                factors.push(factor);
             }
-            let mut finite = true;
-            for value in solution {
-                let shared = value.denominator().gcd(&factor, self.ring.budget());
-                finite &= shared
-                    .map_err(|error| wrap(error.into()))?
-                    .as_constant()
-                    .is_some();
-            }
-            let presenter = self.presenter();
-            let factor = presenter.polynomial(&factor).map_err(wrap)?;
-            found.push(Singularity { factor, finite });
+        }
+        let kept: Vec<&Polynomial> = conditions.iter().map(|(_, polynomial)| polynomial).collect();
+        let mut found = Vec::new();
+        for (place, factor) in factors.iter().enumerate() {
+            let others = factors.iter().enumerate().filter(|(at, _)| *at != place);
+            let elsewhere: Vec<&Polynomial> = others.map(|(_, other)| other).chain(kept.iter().copied()).collect();
+            let existence = existence_at(&self.ring, factor, solution, &elsewhere).map_err(wrap)?;
+            let factor = self.presenter().polynomial(factor).map_err(wrap)?;
+            found.push(Singularity { factor, existence });
         }
         Ok(found)
     }
@@ -143,4 +146,72 @@ impl Elaborator {
         self.scope
             .declare(&matching.name, meaning, matching.description.clone())
     }
+}
+
+/// What becomes of a solution where a factor is 0, and nothing that is not 0 elsewhere.
+fn existence_at(
+    ring: &Ring,
+    factor: &Polynomial,
+    solution: &[Fraction],
+    elsewhere: &[&Polynomial],
+) -> Result<Existence, AlgebraError> {
+    let mut existence = Existence::Stays;
+    for value in solution {
+        if vanishes_with(ring, value.denominator(), factor)? {
+            return Ok(Existence::Lost);
+        }
+        if !has_a_value_off(ring, value, elsewhere)? {
+            existence = Existence::Unknown;
+        }
+    }
+    Ok(existence)
+}
+
+/// Whether a polynomial is a multiple of a factor in the ring, so that it vanishes wherever that does.
+fn vanishes_with(
+    ring: &Ring,
+    polynomial: &Polynomial,
+    factor: &Polynomial,
+) -> Result<bool, AlgebraError> {
+    if polynomial.as_constant().is_some() {
+        return Ok(false);
+    }
+    let ratio = ring.quotient(&polynomial.clone().into(), &factor.clone().into())?;
+    let ratio = ring.canonical(&ratio)?;
+    Ok(ratio.denominator().as_constant().is_some())
+}
+
+/// Whether an element certainly has a value wherever none of some polynomials is 0.
+///
+/// The proof is a form of it without a denominator: its product with powers of these polynomials. That
+/// the denominator in lowest terms has no factor in common with what vanishes is none, as
+/// 1 − cos²α = sin²α and y² − x = (y − √x)·(y + √x) hide theirs.
+fn has_a_value_off(
+    ring: &Ring,
+    value: &Fraction,
+    polynomials: &[&Polynomial],
+) -> Result<bool, AlgebraError> {
+    let mut cleared = value.clone();
+    for polynomial in polynomials {
+        let polynomial = Fraction::from((*polynomial).clone());
+        loop {
+            let multiple = ring.product(&cleared, &polynomial)?;
+            if total_degree(multiple.denominator()) >= total_degree(cleared.denominator()) {
+                break;
+            }
+            cleared = multiple;
+        }
+    }
+    let below = ring.shorten(cleared.denominator())?;
+    for (factor, _) in below.square_free(ring.budget())? {
+        if !ring.polynomial_signs(&ring.norm(&factor)?)?.is_non_zero() {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+fn total_degree(polynomial: &Polynomial) -> u32 {
+    let degrees = polynomial.terms().iter().map(|(monomial, _)| monomial.degree());
+    degrees.max().unwrap_or(0)
 }

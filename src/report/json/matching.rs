@@ -45,7 +45,7 @@ struct MatchingObject<'a> {
     solution: Pairs,
     determinant: String,
     singular_where: Vec<String>,
-    /// Whether the solution stays finite wherever the linear equations are singular.
+    /// Whether the solution certainly stays finite wherever the linear equations are singular.
     finite: bool,
     singularities: Vec<SingularityObject>,
     neglected: Vec<String>,
@@ -123,7 +123,7 @@ fn matching_object<'a>(path: &'a str, matched: &'a Matched) -> MatchingObject<'a
             .clone()
             .map(|singularity| words::singularity(singularity, Notation::Ascii))
             .collect(),
-        finite: singular.clone().all(|singularity| singularity.finite),
+        finite: singular.clone().all(Singularity::is_finite),
         singularities: singular.map(singularity_object).collect(),
         neglected: matched
             .neglected
@@ -143,7 +143,7 @@ fn matching_object<'a>(path: &'a str, matched: &'a Matched) -> MatchingObject<'a
 fn singularity_object(singularity: &Singularity) -> SingularityObject {
     SingularityObject {
         factor: ascii(&singularity.factor),
-        finite: singularity.finite,
+        finite: singularity.is_finite(),
     }
 }
 
