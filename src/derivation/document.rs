@@ -70,10 +70,7 @@ pub fn parse_document_with(
 ///
 /// That it is too large, that a character or a line end in it misleads, or that there is no statement at
 /// all.
-pub fn read_document(
-    source: &SourceFile,
-    imported: &Aliases,
-) -> Result<Document, Vec<Diagnostic>> {
+pub fn read_document(source: &SourceFile, imported: &Aliases) -> Result<Document, Vec<Diagnostic>> {
     let text = unified(&source.text);
     let text = text.as_ref();
     if text.len() > MAXIMUM_SIZE {
@@ -100,7 +97,11 @@ pub fn read_document(
     let mut statements = Vec::new();
     let mut aliases = imported.clone();
     for block in &found.blocks {
-        unread.extend(character::displaced(text, block).into_iter().map(unread_block));
+        unread.extend(
+            character::displaced(text, block)
+                .into_iter()
+                .map(unread_block),
+        );
         let tokens = lexer::tokens(text, block);
         for range in statement_ranges(text, &tokens) {
             let tokens = &tokens[range];

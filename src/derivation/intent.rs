@@ -252,7 +252,11 @@ impl Words<'_> {
     /// The names before `:=`, or before `=` where that was meant, whether they take arguments, and the
     /// names behind.
     fn defined(&self) -> Option<(Vec<Name>, bool, Vec<Name>)> {
-        if self.tokens.first().is_some_and(|first| is_keyword(self.text_of(first))) {
+        if self
+            .tokens
+            .first()
+            .is_some_and(|first| is_keyword(self.text_of(first)))
+        {
             return None;
         }
         let place = |kind| self.tokens.iter().position(|token| token.kind == kind);

@@ -251,13 +251,14 @@ impl Enclosure {
         (self.low >= Integer::ZERO).then_some(self)
     }
 
-    /// As a person reads it, with so many digits, as far as they are known.
+    /// As a person reads it: at most so many digits, as far as they are known.
     pub fn display(&self, digits: usize) -> String {
-        let middle = self.middle();
-        let text = decimal(&middle, digits);
-        match text.trim_start_matches(['-', '0', '.']).is_empty() {
-            true => "0".to_owned(),
-            false => text,
+        let width = Enclosure::new(Integer::ZERO, &self.high - &self.low, self.exponent);
+        // log₁₀ 2 is about 0.301.
+        let known = (self.magnitude() - width.magnitude()).clamp(0, 1 << 20) as usize * 301 / 1000;
+        match known.saturating_sub(1).min(digits) {
+            0 => "0".to_owned(),
+            known => decimal(&self.middle(), known),
         }
     }
 }

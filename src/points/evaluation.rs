@@ -79,7 +79,7 @@ impl Evaluation {
                 open.pop();
             }
         }
-        self.of(id)
+        self.of(id).cloned()
     }
 
     /// How two numbers compare; nothing where they are not real, or where that is not known.
@@ -89,16 +89,17 @@ impl Evaluation {
     }
 
     /// The value of a node that is known.
-    fn of(&self, id: NodeId) -> Result<Number, Failure> {
-        match &self.known[Graph::place(id)] {
-            Some(value) => (**value).clone(),
+    fn of(&self, id: NodeId) -> Result<&Number, Failure> {
+        match self.known[Graph::place(id)].as_deref() {
+            Some(Ok(value)) => Ok(value),
+            Some(Err(failure)) => Err(*failure),
             None => Err(Failure::Unsupported),
         }
     }
 
     /// The real value of a node that is known.
-    fn real(&self, id: NodeId) -> Result<Real, Failure> {
-        self.of(id)?.as_real().cloned().ok_or(Failure::NotReal)
+    fn real(&self, id: NodeId) -> Result<&Real, Failure> {
+        self.of(id)?.as_real().ok_or(Failure::NotReal)
     }
 
     fn compute(&mut self, graph: &Graph, id: NodeId) -> Result<Number, Failure> {
@@ -109,20 +110,20 @@ impl Evaluation {
             Node::Variable(id) => self.assignment.value(graph.variable(*id)),
             Node::Cosine(id) => Ok(self.assignment.circle(graph.variable(*id)).0.into()),
             Node::Sine(id) => Ok(self.assignment.circle(graph.variable(*id)).1.into()),
-            Node::Sum(a, b) => Ok(reals.total(&self.of(*a)?, &self.of(*b)?)),
-            Node::Product(a, b) => Ok(reals.times(&self.of(*a)?, &self.of(*b)?)),
+            Node::Sum(a, b) => Ok(reals.total(self.of(*a)?, self.of(*b)?)),
+            Node::Product(a, b) => Ok(reals.times(self.of(*a)?, self.of(*b)?)),
             Node::Quotient(a, b) => {
                 let below = self.of(*b)?;
-                let inverse = reals.inverse(&below).ok_or(match below.is_zero() {
+                let inverse = reals.inverse(below).ok_or(match below.is_zero() {
                     true => Failure::DivisionByZero,
                     false => Failure::UnknownSign,
                 })?;
-                Ok(reals.times(&self.of(*a)?, &inverse))
+                Ok(reals.times(self.of(*a)?, &inverse))
             }
-            Node::Power(a, exponent) => Ok(reals.raised(&self.of(*a)?, *exponent)),
+            Node::Power(a, exponent) => Ok(reals.raised(self.of(*a)?, *exponent)),
             Node::Root(a) => {
                 let square = self.real(*a)?;
-                let root = reals.square_root(&square).ok_or(match square.sign() {
+                let root = reals.square_root(square).ok_or(match square.sign() {
                     Some(_) => Failure::NegativeRadicand,
                     None => Failure::UnknownSign,
                 })?;
@@ -132,7 +133,7 @@ impl Evaluation {
             Node::Function { .. } => self.function(graph, id),
             Node::Guarded { value, needed } => {
                 self.of(*needed)?;
-                self.of(*value)
+                self.of(*value).cloned()
             }
         }
     }
@@ -151,9 +152,9 @@ impl Evaluation {
         if let Some([angle, cosine, sine]) = parallel {
             let (cosine, sine) = (self.real(cosine)?, self.real(sine)?);
             let product = |a: &Real, b: &Real| self.reals.product(a, b);
-            let along = self.reals.sum(&product(&x, &cosine), &product(&y, &sine));
+            let along = self.reals.sum(&product(x, cosine), &product(y, sine));
             if along.sign().ok_or(Failure::UnknownSign)?.is_gt() {
-                return self.of(angle);
+                return self.of(angle).cloned();
             }
         }
         if y.is_zero() && x.sign().is_some_and(|sign| sign.is_gt()) {
@@ -174,8 +175,8 @@ impl Evaluation {
         else {
             return Err(Failure::Unsupported);
         };
-        let value = self.real(*argument)?;
-        let bare = self.real(*reference).ok();
+        let value = self.real(*argument)?.clone();
+        let bare = self.real(*reference).ok().cloned();
         let label = || match bare.is_some_and(|bare| bare.may_be(&value)) {
             true => None,
             false => Some(describe(graph, *argument).unwrap_or(value.display())),

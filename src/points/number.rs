@@ -69,10 +69,9 @@ impl Number {
     pub fn is_narrow(&self, beside: &Number, digits: i64) -> bool {
         let ((a, b), (c, d)) = (self.parts(), beside.parts());
         let size = Reals { longest: 0 };
-        let size = size
-            .sum(&size.product(&c, &c), &size.product(&d, &d))
-            .enclosure();
-        let size = size.square_root().unwrap_or(size);
+        let square = size.sum(&size.product(&c, &c), &size.product(&d, &d));
+        let square = square.enclosure();
+        let size = square.square_root().unwrap_or(square.into_owned());
         a.enclosure().is_narrow(&size, digits) && b.enclosure().is_narrow(&size, digits)
     }
 

@@ -1,5 +1,6 @@
 //! Real numbers: exact fractions as long as they are short, else enclosures.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 
 use dashu_base::{BitTest, SquareRoot, UnsignedAbs};
@@ -25,10 +26,10 @@ impl From<Rational> for Real {
 
 impl Real {
     /// Bounds of the number.
-    pub fn enclosure(&self) -> Enclosure {
+    pub fn enclosure(&self) -> Cow<'_, Enclosure> {
         match self {
-            Real::Exact(number) => Enclosure::from(number),
-            Real::Enclosed(enclosure) => enclosure.clone(),
+            Real::Exact(number) => Cow::Owned(Enclosure::from(number)),
+            Real::Enclosed(enclosure) => Cow::Borrowed(enclosure),
         }
     }
 

@@ -11,6 +11,9 @@ use super::number::Number;
 /// How many moduli an identity is checked with.
 const MODULI: u64 = 2;
 
+/// At how many assignments values are compared.
+const ENOUGH: usize = 2;
+
 /// A graph that can tell which of its nodes are equal under every assignment.
 ///
 /// A coincidence at an assignment is none of these identities.
@@ -45,19 +48,13 @@ impl Sheet {
         if let Some(number) = self.graph.as_number(id) {
             return Ok(number.is_zero());
         }
+        match self.vanishes_formally(id) {
+            None => return Err(Failure::UnknownIdentity),
+            Some(true) => return Ok(true),
+            Some(false) if !self.graph.is_branched(id) => return Ok(false),
+            Some(false) => {}
+        }
         let graph = &self.graph;
-        let seen = self
-            .formal
-            .iter_mut()
-            .map(|formal| formal.vanishes(graph, id));
-        let seen: Option<Vec<bool>> = seen.collect();
-        let seen = seen.ok_or(Failure::UnknownIdentity)?;
-        if seen.iter().all(|vanishes| *vanishes) {
-            return Ok(true);
-        }
-        if !graph.is_branched(id) {
-            return Ok(false);
-        }
         let values = self
             .generic
             .iter_mut()
@@ -67,6 +64,24 @@ impl Sheet {
             true => Ok(false),
             false => Err(Failure::UnknownIdentity),
         }
+    }
+
+    /// Whether a node is 0 where roots and the angles of vectors are independent of what they are taken of;
+    /// nothing where it has no value modulo some of the numbers.
+    fn vanishes_formally(&mut self, id: NodeId) -> Option<bool> {
+        let graph = &self.graph;
+        let seen = self
+            .formal
+            .iter_mut()
+            .map(|formal| formal.vanishes(graph, id));
+        let seen: Option<Vec<bool>> = seen.collect();
+        Some(seen?.into_iter().all(|vanishes| vanishes))
+    }
+
+    /// Whether two nodes are seen to be equal without a look at assignments.
+    pub fn is_surely_same(&mut self, a: NodeId, b: NodeId) -> bool {
+        let difference = self.graph.difference(a, b).ok();
+        difference.and_then(|difference| self.vanishes_formally(difference)) == Some(true)
     }
 
     /// Whether two nodes are equal under every assignment at which both have values.
@@ -82,26 +97,33 @@ impl Sheet {
         self.vanishes(difference)
     }
 
-    /// Whether two nodes have values that may be equal, to so many binary digits, at every assignment at
-    /// which both have one.
+    /// Whether two nodes agree: they are equal, or have values that may be equal, to so many binary digits,
+    /// at some assignments.
     ///
     /// # Errors
     ///
     /// [`Failure`] where they have values at none of them.
     pub fn agree(&mut self, a: NodeId, b: NodeId, digits: i64) -> Result<bool, Failure> {
-        let mut outcome = Err(Failure::UnknownSign);
+        if self.is_surely_same(a, b) {
+            return Ok(true);
+        }
+        let (mut seen, mut why) = (0, Failure::UnknownSign);
         for evaluation in &mut self.generic {
             let value = |id| evaluation.value(&self.graph, id);
             match [a, b].map(value) {
                 [Ok(a), Ok(b)] if !a.may_be(&b) => return Ok(false),
-                [Ok(a), Ok(b)] if a.is_narrow(&a, digits) && b.is_narrow(&b, digits) => {
-                    outcome = Ok(true);
-                }
-                [Err(failure), _] | [_, Err(failure)] if outcome.is_err() => outcome = Err(failure),
+                [Ok(a), Ok(b)] if a.is_narrow(&a, digits) && b.is_narrow(&b, digits) => seen += 1,
+                [Err(failure), _] | [_, Err(failure)] => why = failure,
                 _ => {}
             }
+            if seen == ENOUGH {
+                break;
+            }
         }
-        outcome
+        match seen {
+            0 => Err(why),
+            _ => Ok(true),
+        }
     }
 
     /// The value of a node at the first assignment at which it has one.

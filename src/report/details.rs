@@ -77,7 +77,7 @@ pub fn neglected(claim: &Claim, notation: Notation) -> Option<Phrase> {
 /// How the verdict was reached, in a sentence without a full stop.
 pub fn route(claim: &Claim) -> String {
     let points = words::counted(claim.points, "random point");
-    let points = format!("exact evaluation at {points} of the relations");
+    let points = format!("evaluation at {points}");
     match claim.verdict {
         Verdict::Holds | Verdict::HoldsWhere if claim.statement.comparison == Comparison::Equal => {
             format!("both sides have the same normal form; {points} agrees")
@@ -90,9 +90,7 @@ pub fn route(claim: &Claim) -> String {
                 "the normal forms agree up to the stated order, and not beyond; {points} agrees"
             )
         }
-        Verdict::Refuted => {
-            "the sides differ at an exact point that satisfies everything assumed".into()
-        }
+        Verdict::Refuted => "the sides differ at a point that satisfies everything assumed".into(),
         Verdict::IllFormed => "the sides cannot be compared, so nothing was computed".into(),
         Verdict::Undecided if claim.fault => {
             "the two routes disagree, so it does not count as true".into()

@@ -20,8 +20,8 @@ use crate::derivation::notation::Notation;
 use crate::derivation::quantity::Quantity;
 use crate::derivation::scope::Meaning;
 use crate::derivation::syntax::{
-    BinaryOperator, Comparison, Expectation, Expression, Name, Relation, Span, Spanned,
-    Statement, StatementKind,
+    BinaryOperator, Comparison, Expectation, Expression, Name, Relation, Span, Spanned, Statement,
+    StatementKind,
 };
 use crate::derivation::verdict::{Claim, Verdict};
 

@@ -178,7 +178,11 @@ impl Refusals {
                 symbols.extend(refused.symbols.clone()?);
             }
             let entry = scope.get(name);
-            symbols.extend(entry.iter().flat_map(|entry| entry.rests_on().map(str::to_string)));
+            symbols.extend(
+                entry
+                    .iter()
+                    .flat_map(|entry| entry.rests_on().map(str::to_string)),
+            );
             let is_known = is_built_in || refused.is_some() || entry.is_some();
             if are_names && !is_known {
                 return None;

@@ -105,7 +105,9 @@ impl Elaborator {
                 .with_label("has no inverse")
                 .with_help("look at its null space with `kernel(…)`")
         };
-        let solved = self.solved(matrix, &identity(matrix.rows()), span)?.ok_or_else(singular)?;
+        let solved = self
+            .solved(matrix, &identity(matrix.rows()), span)?
+            .ok_or_else(singular)?;
         self.divide(&solved.numerators, &solved.determinant, span)
     }
 
@@ -128,7 +130,9 @@ impl Elaborator {
         let (Some(unit), Some(of_right)) = (one_unit(matrix), one_unit(right)) else {
             return Err(refused);
         };
-        let solved = self.ring.eliminated_solution(&values(matrix), &values(right));
+        let solved = self
+            .ring
+            .eliminated_solution(&values(matrix), &values(right));
         let solved = match solved {
             Err(AlgebraError::DivisionByZero) => return Ok(None),
             solved => solved.map_err(|error| algebra(error, span))?,
@@ -137,7 +141,9 @@ impl Elaborator {
         let of_others = unit.power(&(&size - Rational::ONE));
         let of_numerators = of_others.product(&of_right);
         Ok(Some(Solution {
-            numerators: solved.numerators.map(|value| with_unit(value, &of_numerators)),
+            numerators: solved
+                .numerators
+                .map(|value| with_unit(value, &of_numerators)),
             determinant: with_unit(&solved.determinant, &unit.power(&size)),
         }))
     }
@@ -154,7 +160,10 @@ impl Elaborator {
         let unit = one_unit(matrix).ok_or(refused)?;
         let found = self.ring.eliminated_determinant(&values(matrix));
         let found = found.map_err(|error| algebra(error, span))?;
-        Ok(with_unit(&found, &unit.power(&Rational::from(matrix.rows()))))
+        Ok(with_unit(
+            &found,
+            &unit.power(&Rational::from(matrix.rows())),
+        ))
     }
 
     /// adj A of a square matrix.
@@ -166,7 +175,10 @@ impl Elaborator {
 
 /// The unit of all entries that are not 0, if it is one.
 fn one_unit(matrix: &Value) -> Option<Unit> {
-    let mut units = matrix.entries().iter().filter_map(|entry| entry.unit.as_ref());
+    let mut units = matrix
+        .entries()
+        .iter()
+        .filter_map(|entry| entry.unit.as_ref());
     let first = units.next().cloned().unwrap_or_default();
     units.all(|unit| *unit == first).then_some(first)
 }

@@ -9,7 +9,7 @@ use crate::points::evaluation::Evaluation;
 use crate::points::graph::{Graph, NodeId};
 use crate::points::number::Number;
 use crate::points::unfolding::Unfolding;
-use crate::points::{Failure, Table};
+use crate::points::{Failure, Sheet, Table};
 
 /// How many binary digits of two sides must agree.
 pub const DIGITS: i64 = 64;
@@ -85,6 +85,19 @@ impl Sides {
     pub fn nodes(&self, degree: usize) -> Vec<NodeId> {
         let (left, right) = &self.pairs[degree];
         left.iter().chain(right).flatten().copied().collect()
+    }
+
+    /// Whether the sides are seen to be equal without a look at assignments, up to the order of an
+    /// approximation.
+    pub fn are_surely_same(&self, sheet: &mut Sheet) -> bool {
+        let mut pairs = self
+            .pairs
+            .iter()
+            .take(self.beyond.unwrap_or(self.pairs.len()));
+        pairs.all(|(left, right)| {
+            let mut entries = left.iter().flatten().zip(right.iter().flatten());
+            entries.all(|(a, b)| sheet.is_surely_same(*a, *b))
+        })
     }
 
     /// Whether the sides stand in their relation at an assignment, up to the order of an approximation.
