@@ -22,6 +22,7 @@ const BOUNDED: &str = include_str!("../../templates/c/sextic_bounded.h");
 /// One space of names holds all evaluators, in C++ also what a structure has and the types of its fields.
 pub(super) const TAKEN: Taken = Taken {
     words: RESERVED,
+    files: &["float", "math", "sextic_bounded", "stddef"],
     functions: FUNCTIONS,
     endings: &["", "f", "l"],
     templates: &[HEADER, SOURCE],

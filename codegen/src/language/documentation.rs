@@ -216,6 +216,11 @@ fn cost(evaluator: &Evaluator, comments: &Comments) -> String {
     let hoisted = evaluator.hoisted();
     match Cost::of(&hoisted.preparation).total() {
         0 => format!("{}.", evaluator.cost()),
+        _ if evaluator.is_constant() => format!(
+            "{}, all of them on constants, {}.",
+            evaluator.cost(),
+            comments.constants
+        ),
         once => format!(
             "{} at each point, and {once} on constants alone, {}.",
             Cost::of(&hoisted.sweep),

@@ -116,7 +116,9 @@ pub fn emit(evaluators: &[Evaluator], language: Language) -> Result<Vec<File>, E
 pub struct Renamed {
     /// Its name in the document.
     pub evaluator: String,
-    /// Names of the document, and what the text calls them: of the evaluator, of quantities and of angles.
+    /// What the text calls it.
+    pub function: String,
+    /// Names of quantities and angles, and what the text calls them, where that is another name.
     pub names: Vec<(String, String)>,
 }
 
@@ -132,25 +134,23 @@ pub fn renamed(evaluators: &[Evaluator], language: Language) -> Result<Vec<Renam
         .iter()
         .zip(Named::all(evaluators, &Vocabulary::of(taken))?)
     {
-        let (mut inputs, mut outputs) = named.fields(evaluator, &comments);
-        let mut names: Vec<(&str, String)> = vec![(&evaluator.name, named.function.clone())];
+        let (inputs, outputs) = named.fields(evaluator, &comments);
         let quantities = evaluator.free_inputs().map(|input| &input.quantity);
         let quantities = quantities.chain(&evaluator.outputs);
-        let fields = inputs.drain(..).chain(outputs.drain(..));
-        names.extend(
-            quantities
-                .map(|what| what.name.as_str())
-                .zip(fields.map(|field| field.name)),
-        );
+        let fields = inputs.into_iter().chain(outputs);
+        let quantities = quantities.map(|what| what.name.as_str());
+        let mut names: Vec<(&str, String)> =
+            quantities.zip(fields.map(|field| field.name)).collect();
         if let Some(door) = Door::of(evaluator, &named, &comments)? {
             names.extend(door.called);
         }
         renamed.push(Renamed {
             evaluator: evaluator.name.clone(),
+            function: named.function.clone(),
             names: changed(names),
         });
     }
-    renamed.retain(|own| !own.names.is_empty());
+    renamed.retain(|own| own.function != own.evaluator || !own.names.is_empty());
     Ok(renamed)
 }
 

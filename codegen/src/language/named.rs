@@ -147,6 +147,7 @@ fn functions(evaluators: &[Evaluator], vocabulary: &Vocabulary) -> Result<Vec<St
         let mut made = vocabulary.made(name);
         // With more underscores than anything that is taken has letters it is free.
         while (chosen != name && own.contains(&chosen))
+            || vocabulary.has_file(&chosen)
             || made.iter().any(|name| taken.contains(name))
         {
             chosen.push('_');

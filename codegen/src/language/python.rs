@@ -27,8 +27,9 @@ const KEYWORDS: [&str; 41] = [
 /// Fields are arguments too.
 pub(super) const TAKEN: Taken = Taken {
     words: &KEYWORDS,
-    functions: &["__init__"],
-    endings: &[""],
+    files: &[],
+    functions: &[],
+    endings: &[],
     templates: &[MODULE],
     printed: &["np", "shape"],
     has_fields: false,

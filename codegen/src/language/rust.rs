@@ -89,8 +89,9 @@ const MODULES: [&str; 15] = {
 /// Each evaluator is in a module of its own.
 pub(super) const TAKEN: Taken = Taken {
     words: &KEYWORDS,
-    functions: &MODULES,
-    endings: &[""],
+    files: &MODULES,
+    functions: &[],
+    endings: &[],
     templates: &[MODULE],
     // What a name in a pattern would be taken for.
     printed: &["Err", "None", "Ok", "Some"],

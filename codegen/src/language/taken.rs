@@ -25,7 +25,10 @@ const COMMENTS: [(&str, &str); 3] = [("\"\"\"", "\"\"\""), ("/*", "*/"), ("//", 
 pub struct Taken {
     /// What nothing may be called: keywords, macros.
     pub words: &'static [&'static str],
-    /// What no evaluator may be called besides: functions and modules that are there already.
+    /// Files that are there already, which no evaluator may be called in any letters: on some disks
+    /// `Lanes.rs` is `lanes.rs`.
+    pub files: &'static [&'static str],
+    /// What no evaluator may be called besides: functions that are there already.
     pub functions: &'static [&'static str],
     /// What may stand behind the name of a function that is there already.
     pub endings: &'static [&'static str],
@@ -62,6 +65,12 @@ impl Vocabulary {
     /// Whether all evaluators are in one space of names.
     pub fn is_shared(&self) -> bool {
         self.taken.is_shared
+    }
+
+    /// Whether a file of this name is there already.
+    pub fn has_file(&self, function: &str) -> bool {
+        let mut files = self.taken.files.iter();
+        files.any(|file| file.eq_ignore_ascii_case(function))
     }
 
     /// What no evaluator may be called.
