@@ -43,6 +43,9 @@ impl Cost {
 
 impl fmt::Display for Cost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.total() == 0 {
+            return f.write_str("0 operations");
+        }
         write!(f, "{} operations (", self.total())?;
         let parts = [
             (self.additions, "+"),

@@ -126,6 +126,11 @@ impl Evaluator {
         self.inputs.iter().filter(|input| input.fixed().is_none())
     }
 
+    /// Whether it is asked for nothing: its outputs are numbers.
+    pub fn is_constant(&self) -> bool {
+        self.free_inputs().next().is_none()
+    }
+
     /// The program in two parts: what rests on fixed inputs alone, and what is computed at each point.
     pub fn hoisted(&self) -> Hoisted {
         let names = self.free_inputs().map(|input| input.quantity.name.clone());

@@ -7,6 +7,7 @@ mod divisions;
 mod documentation;
 mod laws;
 mod literals;
+mod names;
 mod optimiser;
 mod origins;
 mod pairs;

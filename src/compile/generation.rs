@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use sextic_codegen::evaluator::Evaluator as Emitted;
-use sextic_codegen::language::{self, File, Language};
+use sextic_codegen::language::{self, File, Language, Renamed};
 use sextic_codegen::rounding::{self, Domain, Interval, Unmeasured};
 
 use crate::derivation::audit::Audit;
@@ -70,6 +70,8 @@ pub struct Generated {
     pub specifications: Vec<Specification>,
     /// The files, in the order of their paths.
     pub files: Vec<File>,
+    /// What the files call otherwise than the document.
+    pub renamed: Vec<Renamed>,
 }
 
 impl Generated {
@@ -77,7 +79,14 @@ impl Generated {
     pub fn is_shared(&self, file: &File) -> bool {
         let stem = file.path.split('.').next();
         let mut evaluators = self.specifications.iter();
-        !evaluators.any(|specification| Some(specification.evaluator.name.as_str()) == stem)
+        !evaluators.any(|specification| Some(self.called(&specification.evaluator.name)) == stem)
+    }
+
+    /// What the files call an evaluator of the document.
+    fn called<'g>(&'g self, evaluator: &'g str) -> &'g str {
+        let mut renamed = self.renamed.iter();
+        let own = renamed.find(|own| own.evaluator == evaluator);
+        own.map_or(evaluator, |own| &own.function)
     }
 }
 
@@ -136,12 +145,15 @@ pub fn generate(
         specification.evaluator.proof = Some(proof.to_string());
     }
     let files = emit(&specifications, order.language)?;
+    let emitted = evaluators(&specifications);
+    let renamed = language::renamed(&emitted, order.language).map_err(Failure::Language)?;
     for specification in &specifications {
         proven(&files, specification, order.language, audits)?;
     }
     Ok(Generated {
         specifications,
         files,
+        renamed,
     })
 }
 
@@ -209,12 +221,15 @@ fn check_names<'a>(names: &[String], known: impl Iterator<Item = &'a str>) -> Re
     }
 }
 
+fn evaluators(specifications: &[Specification]) -> Vec<Emitted> {
+    let evaluators = specifications.iter();
+    evaluators
+        .map(|specification| specification.evaluator.clone())
+        .collect()
+}
+
 fn emit(specifications: &[Specification], language: Language) -> Result<Vec<File>, Failure> {
-    let evaluators = specifications
-        .iter()
-        .map(|specification| specification.evaluator.clone());
-    let evaluators: Vec<Emitted> = evaluators.collect();
-    language::emit(&evaluators, language).map_err(Failure::Language)
+    language::emit(&evaluators(specifications), language).map_err(Failure::Language)
 }
 
 fn proven(

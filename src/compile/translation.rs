@@ -31,6 +31,9 @@ pub(super) type Table = Matrix<Polynomial>;
 pub enum Obstacle {
     /// It has no structure of sums, products and the like; its normal form may do.
     Structure,
+    /// A part of it is no number that an input gives, such as i; the normal form of the whole may do
+    /// without.
+    NoInput,
     /// No program computes it, for this reason.
     Refused(String),
 }
@@ -104,6 +107,10 @@ impl<'a> Translator<'a> {
                 .map_err(|obstacle| {
                     let reason = match obstacle {
                         Obstacle::Structure => "it has no value outside of its surroundings".into(),
+                        Obstacle::NoInput => {
+                            "it contains i, a coordinate or the angle of a vector, which is no input"
+                                .into()
+                        }
                         Obstacle::Refused(reason) => reason,
                     };
                     format!("{}: {reason}", output.name.unicode)
@@ -121,14 +128,17 @@ impl<'a> Translator<'a> {
         Ok(())
     }
 
-    /// The value of an expression: with its structure, or else from its normal form.
+    /// The value of an expression: with its structure, or else from its normal form. A real part is real
+    /// only as a whole, so that what a part has no value for is left to the whole.
     fn table(&mut self, expression: &Expression, context: Context) -> Result<Table, Obstacle> {
         if self.program.operations().len() > OPERATIONS {
             let reason = format!("it takes more than {OPERATIONS} operations");
             return Err(Obstacle::Refused(reason));
         }
         match self.structure(expression, context) {
-            Err(Obstacle::Structure) if !self.names_an_argument(expression, context) => {
+            Err(Obstacle::Structure | Obstacle::NoInput)
+                if !self.names_an_argument(expression, context) =>
+            {
                 let value = self
                     .elaborator
                     .value(expression)
@@ -247,9 +257,7 @@ impl<'a> Translator<'a> {
         }
         let Elaborator { ring, scope, .. } = &*self.elaborator;
         let Some(input) = Input::of(symbol, ring, scope) else {
-            return Err(Obstacle::Refused(
-                "it contains i, a coordinate or the angle of a vector, which is no input".into(),
-            ));
+            return Err(Obstacle::NoInput);
         };
         let mut others = self.found.values();
         if others.any(|(_, other)| other.name == input.name) {

@@ -279,19 +279,6 @@ fn wrong_orders_are_refused_with_what_to_do() {
             "fixed twice",
         ),
         (&["--language", "rust", "--fix", "beta=30"], "radians"),
-        (
-            &[
-                "--language",
-                "rust",
-                "--only",
-                "ratios",
-                "--fix",
-                "w=2",
-                "--fix",
-                "h=1",
-            ],
-            "no input",
-        ),
     ] {
         let refused = generate(&plate, &out, arguments);
         assert_eq!(refused.status, Some(2), "{arguments:?}: {}", refused.err);
@@ -349,6 +336,66 @@ fn fixed_quantities_are_no_inputs() {
         "{text}"
     );
     assert!(text.contains("inputs.h"), "{text}");
+}
+
+#[test]
+fn what_is_all_fixed_is_a_function_of_nothing() {
+    let plate = plate("plate-all.md");
+    for (language, file, line) in [
+        (
+            "rust",
+            "ratios.rs",
+            "pub fn ratios() -> RatiosOutputs<f64> {",
+        ),
+        ("c", "ratios.c", "ratios_outputs ratios(void)"),
+        ("python", "ratios.py", "def ratios() -> RatiosOutputs:"),
+    ] {
+        let out = folder(&format!("all-{language}"));
+        let order = [
+            "--language",
+            language,
+            "--only",
+            "ratios",
+            "--fix",
+            "w=2",
+            "--fix",
+            "h=1",
+        ];
+        let made = generate(&plate, &out, &order);
+        assert_eq!(made.status, Some(0), "{}", made.err);
+        assert!(made.out.contains("proven; within"), "{}", made.out);
+        let text = fs::read_to_string(out.join(file)).expect("a file");
+        assert!(text.contains(line), "{text}");
+        let checked = generate(&plate, &out, &[&order[..], &["--check"]].concat());
+        assert_eq!(checked.status, Some(0), "{}", checked.out);
+    }
+}
+
+#[test]
+fn names_that_are_not_free_are_told() {
+    let text = "# Names\n\n```sextic\nparameter a, TurnOutputs : 1\nangle at_angles\n\
+        evaluator (1) turn: at = a*sin(at_angles) + TurnOutputs\nevaluator (2) lambda: y = a\n```\n";
+    let path = document("names.md", text);
+    let out = folder("names");
+    let made = generate(
+        path.to_str().expect("a path"),
+        &out,
+        &["--language", "python"],
+    );
+    assert_eq!(made.status, Some(0), "{}", made.err);
+    for line in [
+        "turn: `TurnOutputs` is called `TurnOutputs_`, `at_angles` is called `at_angles_`, since",
+        "lambda: `lambda` is called `lambda_`, since",
+    ] {
+        assert!(made.out.contains(line), "{}", made.out);
+    }
+    let text = fs::read_to_string(out.join("turn.py")).expect("a file");
+    assert!(
+        text.contains("called `at_angles` in the document"),
+        "{text}"
+    );
+    let text = fs::read_to_string(out.join("lambda_.py")).expect("a file");
+    assert!(text.contains("Called `lambda` in the document"), "{text}");
 }
 
 #[test]

@@ -14,7 +14,7 @@ use sextic::derivation::audit::audit;
 use sextic::derivation::diagnostic::SourceFile;
 use sextic::documents::ShippedLibrary;
 use sextic_codegen::evaluator::{Evaluator, Fixed, Origin};
-use sextic_codegen::language::{File, Language, emit};
+use sextic_codegen::language::{File, Language, emit, taken_names};
 use sextic_codegen::program::{Operation, Program};
 
 use super::{assert_locked, audits, files_of, specifications};
@@ -108,34 +108,111 @@ fn renamed_quantities_are_followed() {
     }
 }
 
+/// An evaluator `e` whose input and output have this name.
+fn called(name: &str) -> (Specification, Ring) {
+    let mut program = Program::new([name.to_owned()]);
+    let input = program.input(name).unwrap();
+    let square = program.push(Operation::Multiply(input, input));
+    program.output(name, square);
+    let mut ring = Ring::new(Budget::unlimited());
+    let generator = Generator::Constant {
+        name: name.to_owned(),
+    };
+    let symbol = ring.symbol(generator).unwrap();
+    let element = ring.element(symbol);
+    let square = ring.product(&element, &element).unwrap();
+    let specification = Specification::new(
+        Evaluator::plain("e", program),
+        vec![(name.to_owned(), element)],
+        vec![(name.to_owned(), square)],
+    );
+    (specification, ring)
+}
+
 /// Words that the texts use themselves: a printer that did not rename them would be refused by a reader.
 #[test]
 fn quantities_may_be_called_as_anything_in_a_text() {
-    for name in [
-        "angles", "inputs", "outputs", "shape", "cls", "np", "at", "result", "point", "points",
-        "start", "T", "N", "FUSED", "Batch", "self", "t1",
-    ] {
-        let mut program = Program::new([name.to_owned()]);
-        let input = program.input(name).unwrap();
-        let square = program.push(Operation::Multiply(input, input));
-        program.output("square", square);
-        let mut ring = Ring::new(Budget::unlimited());
-        let generator = Generator::Constant {
-            name: name.to_owned(),
-        };
-        let symbol = ring.symbol(generator).unwrap();
-        let element = ring.element(symbol);
-        let square = ring.product(&element, &element).unwrap();
-        let specification = Specification::new(
-            Evaluator::plain("f", program),
-            vec![(name.to_owned(), element)],
-            vec![("square".to_owned(), square)],
-        );
-        for language in Language::ALL {
+    let (plain, _) = called("a");
+    for language in Language::ALL {
+        let taken = taken_names(&plain.evaluator, language).unwrap();
+        let more = [
+            "angles", "outputs", "at", "points", "start", "self", "in_", "in_e", "in_in_", "e",
+            "len", "t1", "t1_",
+        ];
+        for name in taken.iter().map(String::as_str).chain(more) {
+            if !name.starts_with(|first: char| first.is_ascii_alphabetic()) {
+                continue;
+            }
+            let (specification, mut ring) = called(name);
             let files = files_of(&specification, language);
             let proof = prove_files(&files, &specification, language, &mut ring);
             assert!(proof.is_ok(), "{language}, {name}: {proof:?}");
         }
+    }
+}
+
+/// What a printer might write that took too few names for taken: it would not compile, or mean something
+/// else.
+#[test]
+fn variables_with_another_meaning_are_refused() {
+    for (language, name) in [
+        (Language::Rust, "Lanes"),
+        (Language::Rust, "MatchOutputs"),
+        (Language::Rust, "Ok"),
+        (Language::Rust, "inputs"),
+        (Language::C, "match_outputs"),
+        (Language::C, "match_body"),
+        (Language::C, "sextic_bounded"),
+        (Language::C, "sqrt"),
+        (Language::Python, "MatchOutputs"),
+        (Language::Python, "np"),
+        (Language::Python, "shape"),
+    ] {
+        let replacements = match language {
+            Language::Rust => [("let a = ", "let NAME = "), ("a + lambda", "NAME + lambda")],
+            Language::C => [
+                ("double a = ", "double NAME = "),
+                ("a + lambda", "NAME + lambda"),
+            ],
+            Language::Python => [
+                ("    a = np", "    NAME = np"),
+                ("a + lambda", "NAME + lambda"),
+            ],
+        };
+        let judge = |name: &str| {
+            let own: Vec<(&str, String)> = replacements
+                .iter()
+                .map(|(old, new)| (*old, new.replace("NAME", name)))
+                .collect();
+            let own: Vec<(&str, &str)> =
+                own.iter().map(|(old, new)| (*old, new.as_str())).collect();
+            Sample::new().judged(language, &own)
+        };
+        assert_eq!(judge("anything"), Ok(()), "{language}");
+        assert!(judge(name).is_err(), "{language}, {name}");
+    }
+}
+
+#[test]
+fn what_is_asked_for_nothing_is_proven() {
+    let text =
+        "# Numbers\n\n```sextic\nevaluator (1) numbers: c = 7/2 - sqrt(2), d = 3, e = -1/3\n```\n";
+    let source = SourceFile::new("numbers.md", text);
+    let mut audit =
+        audit(&source, &ShippedLibrary).unwrap_or_else(|error| panic!("{:?}", error.diagnostics));
+    let specification = specifications(&mut audit).remove(0);
+    for language in Language::ALL {
+        let files = files_of(&specification, language);
+        let ring = &mut audit.elaborator.ring;
+        let proof = prove_files(&files, &specification, language, ring);
+        assert!(proof.is_ok(), "{language}: {proof:?}");
+        // Another number is found.
+        let mut files = files;
+        for file in &mut files {
+            file.text = file.text.replace("3.5", "2.5");
+        }
+        let proof = prove_files(&files, &specification, language, ring);
+        assert!(proof.is_err(), "{language}");
     }
 }
 

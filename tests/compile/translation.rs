@@ -88,6 +88,31 @@ fn the_meaning_is_kept() {
             "parameter a, b : 1\nangle q\nevaluator (1) general: y = a*cos(q) + b*sin(q)\nevaluator (2) e: general at (q = 0)",
             vec![2.0],
         ),
+        // Real and imaginary parts, written with i.
+        (
+            "parameter x, y : 1\nimaginary i\nz(j) := (x + j*y)^2\nre := (z(i) + z(-i))/2\nim := (z(i) - z(-i))/(2*i)\nevaluator (1) e: re = re, im = im",
+            vec![-5.0, 12.0],
+        ),
+        (
+            "parameter x, y : 1 > 0\nimaginary i\nsize(j) := (x + j*y)*(x - j*y)\nevaluator (1) e: y = x + 1/(size(i) - 9), z = sqrt(size(i) + 3) - y",
+            vec![2.25, 1.0],
+        ),
+        (
+            "parameter x, y : 1\nimaginary i\nM := [x, i*y; -i*y, x]\nevaluator (1) e: d = det(M), t = trace(M), e = M[1,1]",
+            vec![-5.0, 4.0, 2.0],
+        ),
+        (
+            "parameter a, b, λ : 1\nimaginary i\nevaluator (1) e: y = (λ^2 + a*λ + b at (λ = 2*i)) - 2*i*a",
+            vec![-2.0],
+        ),
+        // What is no input cancels.
+        (
+            "coordinate q : 1\nparameter a : 1\nevaluator (1) e: y = (q + a)*(q - a) - q^2",
+            vec![-4.0],
+        ),
+        // Nothing is asked for.
+        ("evaluator (1) e: y = 7/2 - 2, z = sqrt(4)", vec![1.5, 2.0]),
+        ("parameter a : 1\nevaluator (1) e: y = a - a + 3", vec![3.0]),
     ] {
         assert_eq!(outputs(statements), expected, "{statements}");
     }
@@ -102,6 +127,11 @@ fn what_cannot_be_compiled_is_refused_with_the_reason() {
     for (statements, reason) in [
         (
             "parameter a : 1\nimaginary i\nevaluator (1) e: y = a + i".to_owned(),
+            "contains i",
+        ),
+        (
+            "parameter a, b : 1\nimaginary i\nz := (a + i)^2\nevaluator (1) e: y = (z + b)/2"
+                .to_owned(),
             "contains i",
         ),
         (

@@ -14,9 +14,9 @@ use crate::program::{Node, Operation, Program, Rational};
 pub struct Ingredients<'a> {
     /// What is computed, without what no output needs; what rests on fixed inputs alone stands first.
     pub program: Program,
-    /// The inputs that it reads.
-    pub read: Vec<&'a str>,
-    /// The fixed inputs that it uses, and their numbers.
+    /// The inputs that it reads: their fields, and the variables that these are read into.
+    pub read: Vec<(&'a str, &'a str)>,
+    /// The fixed inputs that it uses, as variables, and their numbers.
     pub fixed: Vec<(&'a str, Decimal)>,
 }
 
@@ -25,12 +25,13 @@ impl<'a> Ingredients<'a> {
     pub fn of(evaluator: &Evaluator, named: &'a Named) -> Result<Self, Error> {
         let mut program = prune(&evaluator.program);
         let used = used(&program);
-        let inputs = named.inputs.names.iter().zip(&evaluator.inputs);
+        let names = named.inputs.iter().zip(&named.variables);
+        let inputs = names.zip(&evaluator.inputs);
         let (mut read, mut fixed) = (Vec::new(), Vec::new());
-        for ((name, input), _) in inputs.zip(used).filter(|(_, used)| *used) {
+        for (((field, variable), input), _) in inputs.zip(used).filter(|(_, used)| *used) {
             match input.fixed() {
-                Some(known) => fixed.push((name.as_str(), nearest(&known.value)?)),
-                None => read.push(name.as_str()),
+                Some(known) => fixed.push((variable.as_str(), nearest(&known.value)?)),
+                None => read.push((field.as_str(), variable.as_str())),
             }
         }
         if !fixed.is_empty() {
@@ -58,12 +59,12 @@ pub fn nearest(value: &Rational) -> Result<Decimal, Error> {
 
 /// The parts of an evaluator that its documentation names.
 pub fn parts<'a>(evaluator: &'a Evaluator, named: &'a Named) -> Result<Parts<'a>, Error> {
-    let inputs = named.inputs.names.iter().zip(&evaluator.inputs);
+    let names = named.inputs.iter().zip(&named.variables);
     let (mut free, mut fixed) = (Vec::new(), Vec::new());
-    for (name, input) in inputs {
+    for ((name, variable), input) in names.zip(&evaluator.inputs) {
         match input.fixed() {
             Some(known) => fixed.push((
-                name.as_str(),
+                variable.as_str(),
                 &input.quantity,
                 known,
                 nearest(&known.value)?,
@@ -78,9 +79,10 @@ pub fn parts<'a>(evaluator: &'a Evaluator, named: &'a Named) -> Result<Parts<'a>
         }
     }
     Ok(Parts {
+        function: &named.function,
         inputs: free,
         fixed,
-        outputs: &named.outputs.names,
+        outputs: &named.outputs,
     })
 }
 

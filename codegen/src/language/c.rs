@@ -2,8 +2,6 @@
 
 mod reserved;
 
-use std::collections::BTreeSet;
-
 use serde::Serialize;
 
 use super::body::{self, Ingredients};
@@ -12,6 +10,7 @@ use super::door::{Door, Source};
 use super::literal::Decimal;
 use super::notation::{Binding, Notation, Sign, Text, infix, plain_literal, prefix};
 use super::statements::{self, Body};
+use super::taken::{Taken, Vocabulary, guard};
 use super::{Error, Field, File, Named, render};
 use crate::evaluator::{Evaluator, Function};
 use reserved::{FUNCTIONS, RESERVED};
@@ -20,7 +19,30 @@ const HEADER: &str = include_str!("../../templates/c/header.h.tera");
 const SOURCE: &str = include_str!("../../templates/c/source.c.tera");
 const BOUNDED: &str = include_str!("../../templates/c/sextic_bounded.h");
 
-const COMMENTS: Comments = Comments {
+/// One space of names holds all evaluators, in C++ also what a structure has and the types of its fields.
+pub(super) const TAKEN: Taken = Taken {
+    words: RESERVED,
+    files: &["float", "math", "sextic_bounded", "stddef"],
+    functions: FUNCTIONS,
+    endings: &["", "f", "l"],
+    templates: &[HEADER, SOURCE],
+    printed: &[
+        "cos",
+        "sextic_add",
+        "sextic_divide",
+        "sextic_exact",
+        "sextic_multiply",
+        "sextic_negative",
+        "sextic_square_root",
+        "sextic_subtract",
+        "sin",
+        "sqrt",
+    ],
+    has_fields: true,
+    is_shared: true,
+};
+
+pub(super) const COMMENTS: Comments = Comments {
     prose: harmless,
     code: harmless,
     heading: |heading| format!("{heading}:"),
@@ -118,30 +140,7 @@ pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
         path: "sextic_bounded.h".to_owned(),
         text: BOUNDED.to_owned(),
     }];
-    let all = Named::all(evaluators, &RESERVED, &FUNCTIONS)?;
-    // There is one space of names.
-    let mut taken = BTreeSet::new();
-    for named in &all {
-        for suffix in [
-            "",
-            "_angles",
-            "_batch",
-            "_body",
-            "_bounds",
-            "_inputs",
-            "_inputs_at",
-            "_outputs",
-            "_slices",
-            "_slices_mut",
-            "_with_bound",
-        ] {
-            let name = format!("{}{suffix}", named.function);
-            if taken.contains(&name) || name.starts_with("sextic_") {
-                return Err(Error::Twice(name));
-            }
-            taken.insert(name);
-        }
-    }
+    let all = Named::all(evaluators, &Vocabulary::of(TAKEN))?;
     for (evaluator, named) in evaluators.iter().zip(&all) {
         let module = module(evaluator, named)?;
         for (template, ending) in [(HEADER, "h"), (SOURCE, "c")] {
@@ -156,12 +155,12 @@ pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
 
 fn module(evaluator: &Evaluator, named: &Named) -> Result<Module, Error> {
     let ingredients = Ingredients::of(evaluator, named)?;
-    let (program, names) = (&ingredients.program, &named.inputs.names);
+    let (program, names) = (&ingredients.program, &named.variables);
 
     let infix = statements::statements(program, names, &named.values, &Infix)?;
     let read = ingredients.read.iter();
     let mut body: Vec<String> = read
-        .map(|name| format!("const double {name} = inputs->{name};"))
+        .map(|(field, name)| format!("const double {name} = inputs->{field};"))
         .collect();
     let fixed = ingredients.fixed.iter();
     body.extend(fixed.map(|(name, number)| format!("const double {name} = {};", number.text)));
@@ -173,14 +172,14 @@ fn module(evaluator: &Evaluator, named: &Named) -> Result<Module, Error> {
         |name: &str, text: &str| format!("const sextic_bounded {name} = sextic_exact({text});");
     let read = ingredients.read.iter();
     let mut bounded_body: Vec<String> = read
-        .map(|name| bounded(name, &format!("inputs->{name}")))
+        .map(|(field, name)| bounded(name, &format!("inputs->{field}")))
         .collect();
     let fixed = ingredients.fixed.iter();
     bounded_body.extend(fixed.map(|(name, number)| bounded(name, &number.text)));
     bounded_body.extend(lines("sextic_bounded", &calls));
     bounded_body.extend(result(&named.function, "bounds", named, &calls));
 
-    let door = Door::of(evaluator, named, &RESERVED, &COMMENTS)?;
+    let door = Door::of(evaluator, named, &COMMENTS)?;
     let at_angles = door
         .as_ref()
         .map(|door| conversion(&named.function, door))
@@ -193,7 +192,7 @@ fn module(evaluator: &Evaluator, named: &Named) -> Result<Module, Error> {
     let parts = body::parts(evaluator, named)?;
     Ok(Module {
         header: super::spaced(super::header(evaluator, &COMMENTS)),
-        guard: format!("SEXTIC_{}_H", named.function.to_ascii_uppercase()),
+        guard: guard(&named.function),
         function: named.function.clone(),
         inputs,
         outputs,
@@ -206,10 +205,10 @@ fn module(evaluator: &Evaluator, named: &Named) -> Result<Module, Error> {
 }
 
 /// The body of the function that takes angles.
-fn conversion(function: &str, door: &Door) -> Vec<String> {
+fn conversion(function: &str, door: &Door<'_>) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for name in &door.angles {
-        lines.push(format!("const double {name} = angles->{name};"));
+    for (field, name) in &door.angles {
+        lines.push(format!("const double {name} = angles->{field};"));
     }
     for (name, number) in &door.fixed {
         lines.push(format!("const double {name} = {};", number.text));
@@ -233,7 +232,7 @@ fn lines(kind: &str, body: &Body) -> Vec<String> {
 
 fn result(function: &str, kind: &str, named: &Named, body: &Body) -> Vec<String> {
     let mut lines = vec![format!("return ({function}_{kind}){{")];
-    let fields = named.outputs.names.iter().zip(&body.results);
+    let fields = named.outputs.iter().zip(&body.results);
     lines.extend(fields.map(|(name, text)| format!("    .{name} = {text},")));
     lines.push("};".to_owned());
     lines

@@ -65,12 +65,15 @@ fn quantity(what: &Quantity, comments: &Comments) -> String {
 pub fn field(what: &Quantity, name: &str, comments: &Comments) -> Vec<String> {
     let mut text = quantity(what, comments);
     if name != what.name {
-        text.push_str(&format!(
-            "; called {} in the document, which is no safe name here",
-            comments.code(&what.name)
-        ));
+        text.push_str(&format!("; {}", renamed(&what.name, comments)));
     }
     wrapped(&format!("{text}."), "", "")
+}
+
+/// What is said of a name that is not that of the document.
+fn renamed(name: &str, comments: &Comments) -> String {
+    let name = comments.code(name);
+    format!("called {name} in the document, which is no safe name here")
 }
 
 /// The first sentence: what is computed, and by which equation.
@@ -93,6 +96,8 @@ pub fn opening(evaluator: &Evaluator, comments: &Comments) -> Vec<String> {
 
 /// The names and numbers that a language gives the parts of an evaluator.
 pub struct Parts<'a> {
+    /// The function.
+    pub function: &'a str,
     /// The inputs that are asked for.
     pub inputs: Vec<(&'a str, &'a Input)>,
     /// The inputs and angles that are fixed, and the numbers that are written for them.
@@ -114,6 +119,10 @@ pub fn function(evaluator: &Evaluator, parts: &Parts<'_>, comments: &Comments) -
             lines.extend(body);
         }
     };
+    if parts.function != evaluator.name {
+        let renamed = capital(&renamed(&evaluator.name, comments));
+        paragraph(None, wrapped(&sentence(&renamed), "", ""));
+    }
     let description = comments.prose(&sentence(&evaluator.description));
     paragraph(None, wrapped(&description, "", ""));
     if !evaluator.source.is_empty() {
@@ -136,6 +145,7 @@ pub fn function(evaluator: &Evaluator, parts: &Parts<'_>, comments: &Comments) -
     let proof = comments.prose(&proof(evaluator));
     paragraph(Some("Proof"), wrapped(&proof, "", ""));
     let rounding = match &evaluator.rounding {
+        Some(rounding) if evaluator.is_constant() => alone(rounding, parts.outputs),
         Some(rounding) => measured(rounding, parts.outputs, comments),
         None => vec!["Not measured.".to_owned()],
     };
@@ -206,6 +216,11 @@ fn cost(evaluator: &Evaluator, comments: &Comments) -> String {
     let hoisted = evaluator.hoisted();
     match Cost::of(&hoisted.preparation).total() {
         0 => format!("{}.", evaluator.cost()),
+        _ if evaluator.is_constant() => format!(
+            "{}, all of them on constants, {}.",
+            evaluator.cost(),
+            comments.constants
+        ),
         once => format!(
             "{} at each point, and {once} on constants alone, {}.",
             Cost::of(&hoisted.sweep),
@@ -248,16 +263,33 @@ fn measured(rounding: &Rounding, outputs: &[String], comments: &Comments) -> Vec
     lines
 }
 
+/// The errors of numbers.
+fn alone(rounding: &Rounding, outputs: &[String]) -> Vec<String> {
+    let text = "Distance of the strict evaluation from the exact value, in units in the last place of that \
+         value:";
+    let mut lines = wrapped(text, "", "");
+    lines.push(String::new());
+    let errors = outputs.iter().zip(&rounding.largest);
+    lines.extend(listed(
+        errors.map(|(name, error)| format!("`{name}`: {}.", units(*error))),
+    ));
+    lines
+}
+
 /// In short, what is proven and measured.
 pub fn summary(evaluator: &Evaluator, comments: &Comments) -> Vec<String> {
     let rounding = match &evaluator.rounding {
         Some(rounding) => {
             let most = |errors: &[f64]| units(errors.iter().copied().fold(0.0, f64::max));
-            format!(
-                "largest error {} units in the last place; at 99 of 100 points at most {}.",
-                most(&rounding.largest),
-                most(&rounding.percentile_99)
-            )
+            let largest = most(&rounding.largest);
+            if evaluator.is_constant() {
+                format!("largest error {largest} units in the last place.")
+            } else {
+                format!(
+                    "largest error {largest} units in the last place; at 99 of 100 points at most {}.",
+                    most(&rounding.percentile_99)
+                )
+            }
         }
         None => "not measured.".to_owned(),
     };

@@ -5,21 +5,19 @@ use super::body::nearest;
 use super::documentation::{self, Comments};
 use super::literal::Decimal;
 use super::named::{Field, Named};
-use super::names::safe;
 use super::notation::{Binding, Sign, Text, infix, plain_literal, prefix};
 use crate::evaluator::{Circular, Evaluator, Function, Origin, Quantity};
 
-/// Names of the functions that take angles, whatever the language.
-const TAKEN: [&str; 5] = ["angles", "at_angles", "cls", "cos", "sin"];
-
 /// What the inputs of an evaluator are made of.
 #[derive(Clone, Debug)]
-pub struct Door {
+pub struct Door<'a> {
     /// What is asked for: the inputs that are no sines and cosines, and the angles.
     pub fields: Vec<Field>,
-    /// The angles that are asked for.
-    pub angles: Vec<String>,
-    /// The angles that are fixed, and their numbers.
+    /// What is asked for, by its name in the document and by that of its field.
+    pub called: Vec<(&'a str, String)>,
+    /// The angles that are asked for: their fields, and the variables that they are read into.
+    pub angles: Vec<(String, String)>,
+    /// The angles that are fixed, as variables, and their numbers.
     pub fixed: Vec<(String, Decimal)>,
     /// The inputs, and what each of them is.
     pub inputs: Vec<(String, Source)>,
@@ -34,12 +32,11 @@ pub enum Source {
     Circular(Function, Text),
 }
 
-impl Door {
+impl<'a> Door<'a> {
     /// The door of an evaluator, if it has sines or cosines among its inputs.
     pub fn of(
-        evaluator: &Evaluator,
+        evaluator: &'a Evaluator,
         named: &Named,
-        reserved: &[&str],
         comments: &Comments,
     ) -> Result<Option<Self>, Error> {
         if evaluator
@@ -55,38 +52,44 @@ impl Door {
                 fixed.push((angle.quantity.name.as_str(), nearest(&known.value)?));
             }
         }
-        let reserved: Vec<&str> = reserved.iter().chain(&TAKEN).copied().collect();
         let names = asked.iter().map(|(what, _)| what.name.as_str());
         let names: Vec<&str> = names.chain(fixed.iter().map(|(name, _)| *name)).collect();
-        let written = safe(names.iter().copied(), &reserved)?.names;
-        let name = |wanted: &str| {
+        let fields = named.safety.fields(names.iter().copied())?;
+        let variables = named.safety.variables(names.iter().copied())?;
+        let called = |written: &[String], wanted: &str| {
             let place = names.iter().position(|name| *name == wanted);
             place.map_or_else(|| wanted.to_owned(), |place| written[place].clone())
         };
+        let name = |wanted: &str| called(&fields, wanted);
+        let variable = |wanted: &str| called(&variables, wanted);
 
         let field = |(what, _): &(&Quantity, bool)| Field {
             documentation: documentation::field(what, &name(&what.name), comments),
             name: name(&what.name),
         };
-        let pairs = named.inputs.names.iter().zip(&evaluator.inputs);
+        let pairs = named.inputs.iter().zip(&evaluator.inputs);
         let inputs = pairs.filter_map(|(own, input)| {
             let source = match &input.origin {
                 Origin::Given => Source::Given(name(&input.quantity.name)),
                 Origin::Circular(circular) => {
-                    Source::Circular(circular.function, sum(circular, &name))
+                    Source::Circular(circular.function, sum(circular, &variable))
                 }
                 Origin::Fixed(_) => return None,
             };
             Some((own.clone(), source))
         });
         let angles = asked.iter().filter(|(_, is_angle)| *is_angle);
+        let called = asked.iter().map(|(what, _)| what.name.as_str());
         Ok(Some(Door {
+            called: called.map(|wanted| (wanted, name(wanted))).collect(),
             fields: asked.iter().map(field).collect(),
-            angles: angles.map(|(what, _)| name(&what.name)).collect(),
+            angles: angles
+                .map(|(what, _)| (name(&what.name), variable(&what.name)))
+                .collect(),
             inputs: inputs.collect(),
             fixed: fixed
                 .into_iter()
-                .map(|(angle, number)| (name(angle), number))
+                .map(|(angle, number)| (variable(angle), number))
                 .collect(),
         }))
     }

@@ -18,7 +18,7 @@ pub enum Error {
     Quantities(String),
     /// What rests on fixed inputs alone is infinite, or no number.
     Fixed(String),
-    /// An evaluator has no input or no output left.
+    /// An evaluator has no output.
     Nothing(String),
     /// A template failed: a bug.
     Template(String),
@@ -58,7 +58,7 @@ impl fmt::Display for Error {
             ),
             Error::Nothing(name) => write!(
                 f,
-                "the evaluator {name} has no input or no output left; there is nothing to compute"
+                "the evaluator {name} has no output; there is nothing to compute"
             ),
             Error::Template(message) => write!(f, "a template failed: {message}"),
         }

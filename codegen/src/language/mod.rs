@@ -14,7 +14,9 @@ pub mod notation;
 pub mod python;
 pub mod rust;
 pub mod statements;
+mod taken;
 
+use std::collections::BTreeSet;
 use std::fmt;
 use std::str::FromStr;
 
@@ -22,8 +24,10 @@ use serde::Serialize;
 
 use crate::evaluator::{Evaluator, Input};
 use documentation::Comments;
+use door::Door;
 pub use error::Error;
 use named::{Field, Named};
+use taken::{Taken, Vocabulary};
 
 /// What source text can be written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -107,6 +111,83 @@ pub fn emit(evaluators: &[Evaluator], language: Language) -> Result<Vec<File>, E
     Ok(files)
 }
 
+/// An evaluator some of whose names a language does not allow.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Renamed {
+    /// Its name in the document.
+    pub evaluator: String,
+    /// What the text calls it.
+    pub function: String,
+    /// Names of quantities and angles, and what the text calls them, where that is another name.
+    pub names: Vec<(String, String)>,
+}
+
+/// What is called otherwise than in the document, for the evaluators of which anything is.
+///
+/// # Errors
+///
+/// If a name is no identifier or occurs twice, or a constant is beyond the doubles.
+pub fn renamed(evaluators: &[Evaluator], language: Language) -> Result<Vec<Renamed>, Error> {
+    let (taken, comments) = taken(language);
+    let mut renamed = Vec::new();
+    for (evaluator, named) in evaluators
+        .iter()
+        .zip(Named::all(evaluators, &Vocabulary::of(taken))?)
+    {
+        let (inputs, outputs) = named.fields(evaluator, &comments);
+        let quantities = evaluator.free_inputs().map(|input| &input.quantity);
+        let quantities = quantities.chain(&evaluator.outputs);
+        let fields = inputs.into_iter().chain(outputs);
+        let quantities = quantities.map(|what| what.name.as_str());
+        let mut names: Vec<(&str, String)> =
+            quantities.zip(fields.map(|field| field.name)).collect();
+        if let Some(door) = Door::of(evaluator, &named, &comments)? {
+            names.extend(door.called);
+        }
+        renamed.push(Renamed {
+            evaluator: evaluator.name.clone(),
+            function: named.function.clone(),
+            names: changed(names),
+        });
+    }
+    renamed.retain(|own| own.function != own.evaluator || !own.names.is_empty());
+    Ok(renamed)
+}
+
+/// The pairs of names that differ, each once.
+fn changed(names: Vec<(&str, String)>) -> Vec<(String, String)> {
+    let mut changed: Vec<(String, String)> = Vec::new();
+    for (name, written) in names {
+        let pair = (name.to_owned(), written);
+        if pair.0 != pair.1 && !changed.contains(&pair) {
+            changed.push(pair);
+        }
+    }
+    changed
+}
+
+/// What no variable of an evaluator is called in a language, so that it can stand in the emitted text.
+///
+/// # Errors
+///
+/// If a name is no identifier or occurs twice.
+pub fn taken_names(evaluator: &Evaluator, language: Language) -> Result<BTreeSet<String>, Error> {
+    let vocabulary = Vocabulary::of(taken(language).0);
+    let named = Named::all(std::slice::from_ref(evaluator), &vocabulary)?;
+    let functions = named.iter().map(|named| &named.function);
+    Ok(functions
+        .flat_map(|function| vocabulary.variables(function))
+        .collect())
+}
+
+fn taken(language: Language) -> (Taken, Comments) {
+    match language {
+        Language::Rust => (rust::TAKEN, rust::COMMENTS),
+        Language::C => (c::TAKEN, c::COMMENTS),
+        Language::Python => (python::TAKEN, python::COMMENTS),
+    }
+}
+
 fn check(evaluator: &Evaluator) -> Result<(), Error> {
     let program = &evaluator.program;
     let inputs = evaluator.inputs.iter().map(|input| &input.quantity.name);
@@ -120,7 +201,7 @@ fn check(evaluator: &Evaluator) -> Result<(), Error> {
     if !same || !has_its_angles(evaluator) {
         return Err(Error::Quantities(evaluator.name.clone()));
     }
-    if evaluator.free_inputs().next().is_none() || evaluator.outputs.is_empty() {
+    if evaluator.outputs.is_empty() {
         return Err(Error::Nothing(evaluator.name.clone()));
     }
     Ok(())

@@ -13,7 +13,7 @@ pub fn is_identifier(name: &str) -> bool {
 }
 
 /// Whether a name is that of a temporary value: t1, t2, ….
-fn is_temporary(name: &str) -> bool {
+pub fn is_temporary(name: &str) -> bool {
     name.strip_prefix('t')
         .is_some_and(|number| number.chars().all(|digit| digit.is_ascii_digit()))
         && name.len() > 1
@@ -37,27 +37,37 @@ pub fn camel_case(name: &str) -> String {
     camel
 }
 
-/// The names of some quantities in a language, and which of them had to differ.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Names {
-    /// The names in order.
-    pub names: Vec<String>,
-    /// Which names were changed, and into what.
-    pub renamed: Vec<(String, String)>,
-}
-
-/// Gives every name a trailing underscore, or more of them, that is unsafe or taken.
+/// Gives every name a trailing underscore, or more of them, that is unsafe or another one's.
 ///
 /// # Errors
 ///
 /// If a name is no identifier, or occurs twice.
 pub fn safe<'a>(
     names: impl IntoIterator<Item = &'a str>,
-    reserved: &[&str],
-) -> Result<Names, Error> {
+    is_unsafe: impl Fn(&str) -> bool,
+) -> Result<Vec<String>, Error> {
     let names: Vec<&str> = names.into_iter().collect();
+    let mut taken = distinct(&names)?;
+    let mut safe = Vec::new();
+    for name in names {
+        let mut chosen = name.to_owned();
+        while is_unsafe(&chosen) || (chosen != name && taken.contains(&chosen)) {
+            chosen.push('_');
+        }
+        taken.insert(chosen.clone());
+        safe.push(chosen);
+    }
+    Ok(safe)
+}
+
+/// The names, if each is an identifier that occurs once.
+///
+/// # Errors
+///
+/// If a name is no identifier, or occurs twice.
+pub fn distinct(names: &[&str]) -> Result<BTreeSet<String>, Error> {
     let mut taken: BTreeSet<String> = BTreeSet::new();
-    for name in &names {
+    for name in names {
         if !is_identifier(name) {
             return Err(Error::Name((*name).to_owned()));
         }
@@ -65,20 +75,5 @@ pub fn safe<'a>(
             return Err(Error::Twice((*name).to_owned()));
         }
     }
-    let mut safe = Names::default();
-    for name in names {
-        let mut chosen = name.to_owned();
-        while is_temporary(&chosen)
-            || reserved.contains(&chosen.as_str())
-            || (chosen != name && taken.contains(&chosen))
-        {
-            chosen.push('_');
-        }
-        if chosen != name {
-            safe.renamed.push((name.to_owned(), chosen.clone()));
-            taken.insert(chosen.clone());
-        }
-        safe.names.push(chosen);
-    }
-    Ok(safe)
+    Ok(taken)
 }

@@ -9,65 +9,34 @@ use super::literal::Decimal;
 use super::names::camel_case;
 use super::notation::{Binding, Notation, Sign, Text, infix, plain_literal, prefix};
 use super::statements;
+use super::taken::{Taken, Vocabulary};
 use super::{Error, Field, File, Named, commands, render};
 use crate::evaluator::{Evaluator, Function};
 
 const MODULE: &str = include_str!("../../templates/python/module.py.tera");
 const PACKAGE: &str = include_str!("../../templates/python/__init__.py.tera");
 
-/// Keywords, and names that an emitted function uses.
-const RESERVED: [&str; 48] = [
-    "cls",
-    "False",
-    "None",
-    "True",
-    "and",
-    "as",
-    "assert",
-    "async",
-    "await",
-    "break",
-    "case",
-    "class",
-    "continue",
-    "def",
-    "del",
-    "elif",
-    "else",
-    "except",
-    "exec",
-    "finally",
-    "for",
-    "from",
-    "global",
-    "if",
-    "import",
-    "in",
-    "inputs",
-    "is",
-    "lambda",
-    "match",
-    "nonlocal",
-    "not",
-    "np",
-    "or",
-    "outputs",
-    "pass",
-    "print",
-    "raise",
-    "return",
-    "shape",
-    "type",
-    "try",
-    "while",
-    "with",
-    "yield",
-    "float",
-    "dataclass",
-    "ArrayLike",
+/// The keywords, and what was one.
+const KEYWORDS: [&str; 41] = [
+    "False", "None", "True", "and", "as", "assert", "async", "await", "break", "case", "class",
+    "continue", "def", "del", "elif", "else", "except", "exec", "finally", "float", "for", "from",
+    "global", "if", "import", "in", "is", "lambda", "match", "nonlocal", "not", "or", "pass",
+    "print", "raise", "return", "try", "type", "while", "with", "yield",
 ];
 
-const COMMENTS: Comments = Comments {
+/// Fields are arguments too.
+pub(super) const TAKEN: Taken = Taken {
+    words: &KEYWORDS,
+    files: &[],
+    functions: &[],
+    endings: &[],
+    templates: &[MODULE],
+    printed: &["np", "shape"],
+    has_fields: false,
+    is_shared: true,
+};
+
+pub(super) const COMMENTS: Comments = Comments {
     prose: harmless,
     code: harmless,
     heading: |heading| format!("{heading}:"),
@@ -121,6 +90,7 @@ struct Module {
 struct Import {
     function: String,
     camel: String,
+    has_inputs: bool,
 }
 
 #[derive(Serialize)]
@@ -135,7 +105,7 @@ struct Package {
 ///
 /// If a name is no identifier or occurs twice, or a constant is beyond the doubles.
 pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
-    let all = Named::all(evaluators, &RESERVED, &[])?;
+    let all = Named::all(evaluators, &Vocabulary::of(TAKEN))?;
     let mut files = Vec::new();
     let mut modules = Vec::new();
     for (evaluator, named) in evaluators.iter().zip(&all) {
@@ -146,6 +116,7 @@ pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
         modules.push(Import {
             function: named.function.clone(),
             camel: camel_case(&named.function),
+            has_inputs: !evaluator.is_constant(),
         });
     }
     modules.sort_by(|a, b| a.function.cmp(&b.function));
@@ -162,14 +133,14 @@ pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
 
 fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {
     let ingredients = Ingredients::of(evaluator, named)?;
-    let names = &named.inputs.names;
+    let names = &named.variables;
     let printed = statements::statements(&ingredients.program, names, &named.values, &Numpy)?;
     let camel = camel_case(&named.function);
     let (mut inputs, mut outputs) = named.fields(evaluator, &COMMENTS);
     let mut body: Vec<String> = Vec::new();
-    for name in ingredients.read {
+    for (field, name) in ingredients.read {
         body.push(format!(
-            "{name} = np.asarray(inputs.{name}, dtype=np.float64)"
+            "{name} = np.asarray(inputs.{field}, dtype=np.float64)"
         ));
     }
     for (name, number) in ingredients.fixed {
@@ -187,7 +158,7 @@ fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {
     );
     body.push(")".to_owned());
     body.push(format!("return {camel}Outputs("));
-    for (name, text) in named.outputs.names.iter().zip(&printed.results) {
+    for (name, text) in named.outputs.iter().zip(&printed.results) {
         body.push(format!(
             "    {name}=np.array(np.broadcast_to({text}, shape))[()],"
         ));
@@ -197,7 +168,7 @@ fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {
     for field in inputs.iter_mut().chain(&mut outputs) {
         field.documentation = text(&field.documentation);
     }
-    let door = Door::of(evaluator, named, &RESERVED, &COMMENTS)?;
+    let door = Door::of(evaluator, named, &COMMENTS)?;
     let parts = body::parts(evaluator, named)?;
     render(
         MODULE,
@@ -216,9 +187,9 @@ fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {
 }
 
 /// The body of the method that takes angles.
-fn conversion(door: &Door) -> Vec<String> {
+fn conversion(door: &Door<'_>) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for name in &door.angles {
+    for (_, name) in &door.angles {
         lines.push(format!("{name} = np.asarray({name}, dtype=np.float64)"));
     }
     for (name, number) in &door.fixed {

@@ -9,6 +9,7 @@ use super::literal::Decimal;
 use super::names::camel_case;
 use super::notation::{Binding, Fused, Notation, Sign, Text, infix, plain_literal, prefix};
 use super::statements;
+use super::taken::{Taken, Vocabulary};
 use super::{Error, Field, File, Named, commands, render};
 use crate::evaluator::{Evaluator, Function};
 
@@ -58,35 +59,47 @@ const ITERATED: [&str; 3] = [
     "shifted_polynomial",
 ];
 
-/// Keywords of all editions, and what a name in a pattern would be taken for.
-const RESERVED: [&str; 59] = [
-    "Err", "None", "Ok", "Self", "Some", "abstract", "as", "async", "await", "become", "box",
-    "break", "const", "continue", "crate", "do", "dyn", "else", "enum", "extern", "false", "final",
-    "fn", "for", "gen", "if", "impl", "in", "inputs", "let", "loop", "macro", "match", "mod",
-    "move", "mut", "outputs", "override", "priv", "pub", "ref", "return", "self", "static",
-    "struct", "super", "trait", "true", "try", "type", "typeof", "union", "unsafe", "unsized",
-    "use", "virtual", "where", "while", "yield",
+/// Keywords of all editions.
+const KEYWORDS: [&str; 53] = [
+    "Self", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue",
+    "crate", "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if",
+    "impl", "in", "let", "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub",
+    "ref", "return", "self", "static", "struct", "super", "trait", "true", "try", "type", "typeof",
+    "union", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
-/// Names that a module must not have.
-const MODULES: [&str; 14] = [
-    "alloc",
-    "arithmetic",
-    "bounded",
-    "comparison",
-    "complex",
-    "core",
-    "dispatch",
-    "exact_modes",
-    "exact_modes_batch",
-    "lanes",
-    "lib",
-    "reference",
-    "starting_values",
-    "std",
-];
+/// Modules that an evaluator must not be: those of [`SUPPORT`] and [`EXACT_MODES`], and roots of crates.
+const MODULES: [&str; 15] = {
+    let mut modules = [
+        "alloc", "core", "lib", "main", "std", "", "", "", "", "", "", "", "", "", "",
+    ];
+    let mut place = 0;
+    while place < SUPPORT.len() {
+        modules[5 + place] = SUPPORT[place].0;
+        place += 1;
+    }
+    place = 0;
+    while place < EXACT_MODES.len() {
+        modules[5 + SUPPORT.len() + place] = EXACT_MODES[place].0;
+        place += 1;
+    }
+    modules
+};
 
-const COMMENTS: Comments = Comments {
+/// Each evaluator is in a module of its own.
+pub(super) const TAKEN: Taken = Taken {
+    words: &KEYWORDS,
+    files: &MODULES,
+    functions: &[],
+    endings: &[],
+    templates: &[MODULE],
+    // What a name in a pattern would be taken for.
+    printed: &["Err", "None", "Ok", "Some"],
+    has_fields: true,
+    is_shared: false,
+};
+
+pub(super) const COMMENTS: Comments = Comments {
     prose: markdown,
     code: str::to_owned,
     heading: |heading| format!("# {heading}"),
@@ -206,7 +219,7 @@ pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
     let mut files = Vec::new();
     for (evaluator, named) in evaluators
         .iter()
-        .zip(Named::all(evaluators, &RESERVED, &MODULES)?)
+        .zip(Named::all(evaluators, &Vocabulary::of(TAKEN))?)
     {
         let function = &named.function;
         files.push(File {
@@ -260,12 +273,12 @@ fn are_iterated(evaluators: &[Evaluator]) -> bool {
 
 fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {
     let ingredients = Ingredients::of(evaluator, named)?;
-    let names = &named.inputs.names;
+    let names = &named.variables;
     let printed = statements::statements(&ingredients.program, names, &named.values, &Generic)?;
     let camel = camel_case(&named.function);
     let mut body: Vec<String> = Vec::new();
-    for name in ingredients.read {
-        body.push(format!("let {name} = inputs.{name};"));
+    for (field, name) in ingredients.read {
+        body.push(format!("let {name} = inputs.{field};"));
     }
     for (name, number) in ingredients.fixed {
         body.push(format!("let {name} = T::constant({});", number.text));
@@ -275,7 +288,6 @@ fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {
     }
     let results: Vec<String> = named
         .outputs
-        .names
         .iter()
         .zip(&printed.results)
         .map(|(name, text)| match name == text {
@@ -285,7 +297,7 @@ fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {
         .collect();
     body.extend(structure(&format!("{camel}Outputs"), &results));
 
-    let door = Door::of(evaluator, named, &RESERVED, &COMMENTS)?;
+    let door = Door::of(evaluator, named, &COMMENTS)?;
     let at_angles = door
         .as_ref()
         .map(|door| conversion(&camel, door))
@@ -310,10 +322,10 @@ fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {
 }
 
 /// The body of the function that takes angles.
-fn conversion(camel: &str, door: &Door) -> Vec<String> {
+fn conversion(camel: &str, door: &Door<'_>) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for name in &door.angles {
-        lines.push(format!("let {name} = angles.{name};"));
+    for (field, name) in &door.angles {
+        lines.push(format!("let {name} = angles.{field};"));
     }
     for (name, number) in &door.fixed {
         lines.push(format!("let {name}: f64 = {};", number.text));

@@ -86,7 +86,7 @@ evaluator!(
 );
 evaluator!(
     check_match, answer_match, match_, MatchInputs, MatchSlices, MatchSlicesMut, match__batch_at,
-    match__batch, match__with_bound, [I, lambda, t1_, fn_, double, unused],
+    match__batch, match__with_bound, [I, lambda, t1, fn_, double, unused],
     [I, nested, again, same, three]
 );
 evaluator!(

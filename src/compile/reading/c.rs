@@ -1,10 +1,12 @@
 //! Reads emitted C: the header with its declarations, and the source with its two bodies.
 
+use std::collections::BTreeSet;
+
 use super::cursor::Cursor;
 use super::infix::expression;
 use super::literal::decimal;
 use super::names::{Name, Names, quantity};
-use super::shape::{Hole, follow};
+use super::shape::{Hole, follow, taken};
 use super::token::{Dialect, tokens};
 use super::{Door, Reading, Source, Term, Unreadable};
 
@@ -17,16 +19,8 @@ const SOURCE: &str = include_str!("shapes/c_source.txt");
 /// How deep calls may be nested.
 const DEEPEST: usize = 64;
 
-/// Words that no variable may have for a name.
-const TAKEN: [&str; 7] = [
-    "inputs",
-    "angles",
-    "sqrt",
-    "cos",
-    "sin",
-    "sextic_exact",
-    "sextic_square_root",
-];
+/// Words of bodies that no variable may have for a name.
+const TAKEN: [&str; 5] = ["sqrt", "cos", "sin", "sextic_exact", "sextic_square_root"];
 
 /// Checks the header: its structures have exactly the fields of the evaluator, in order.
 ///
@@ -57,6 +51,7 @@ pub(super) fn read_source(
 ) -> Result<([Reading; 2], Door), Unreadable> {
     let tokens = tokens(text, Dialect::C)?;
     let mut cursor = Cursor::new(&tokens);
+    let taken = taken(SOURCE, Dialect::C, names)?;
     let (mut plain, mut bounded) = (Reading::default(), Reading::default());
     let mut door = Door::default();
     follow(
@@ -66,8 +61,10 @@ pub(super) fn read_source(
         &mut cursor,
         &mut |hole, names, cursor| {
             match hole {
-                Hole::Body => statements(cursor, &Plain, &names.inputs, &mut plain)?,
-                Hole::BoundedBody => statements(cursor, &Bounded, &names.inputs, &mut bounded)?,
+                Hole::Body => statements(cursor, &Plain, &names.inputs, &taken, &mut plain)?,
+                Hole::BoundedBody => {
+                    statements(cursor, &Bounded, &names.inputs, &taken, &mut bounded)?
+                }
                 Hole::Result(place) => {
                     let output = names.outputs[place].quantity.clone();
                     plain.outputs.push((output, Plain.value(cursor)?));
@@ -76,7 +73,7 @@ pub(super) fn read_source(
                     let output = names.outputs[place].quantity.clone();
                     bounded.outputs.push((output, Bounded.value(cursor)?));
                 }
-                Hole::Door => statements(cursor, &Angles, &names.asked, &mut door.angles)?,
+                Hole::Door => statements(cursor, &Angles, &names.asked, &taken, &mut door.angles)?,
                 Hole::Source(place) => {
                     let input = names.inputs[place].quantity.clone();
                     door.inputs.push((input, source(cursor, &names.asked)?));
@@ -161,11 +158,13 @@ fn statements<N: Notation>(
     cursor: &mut Cursor<'_, '_>,
     notation: &N,
     names: &[Name],
+    taken: &BTreeSet<String>,
     reading: &mut Reading,
 ) -> Result<(), Unreadable> {
     while cursor.accept(&["const"]) {
         cursor.expect(&[N::TYPE])?;
-        if cursor.peek().is_some_and(|word| TAKEN.contains(&word)) {
+        let is_taken = |word| TAKEN.contains(&word) || taken.contains(word);
+        if cursor.peek().is_some_and(is_taken) {
             return Err(cursor.refuse("a free name"));
         }
         let variable = cursor.word()?.to_string();

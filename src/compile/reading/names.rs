@@ -3,7 +3,7 @@
 use sextic_codegen::evaluator::{Evaluator, Origin};
 
 /// How many underscores a name that is not free in a language may get.
-const MOST_UNDERSCORES: usize = 3;
+const MOST_UNDERSCORES: usize = 16;
 
 /// A name of the document, and what the text calls it.
 #[derive(Clone, Debug)]

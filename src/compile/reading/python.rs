@@ -1,9 +1,11 @@
 //! Reads emitted Python.
 
+use std::collections::BTreeSet;
+
 use super::cursor::Cursor;
 use super::infix::expression;
 use super::names::{Name, Names, quantity};
-use super::shape::{Hole, follow};
+use super::shape::{Hole, follow, taken};
 use super::token::{Dialect, tokens};
 use super::{Door, Reading, Source, Unreadable};
 
@@ -27,6 +29,7 @@ const INNER_LINE: &str = "\n        ";
 pub(super) fn read(text: &str, names: &mut Names) -> Result<(Reading, Door), Unreadable> {
     let tokens = tokens(text, Dialect::Python)?;
     let mut cursor = Cursor::new(&tokens);
+    let taken = taken(MODULE, Dialect::Python, names)?;
     let (mut reading, mut door) = (Reading::default(), Door::default());
     follow(
         MODULE,
@@ -41,6 +44,7 @@ pub(super) fn read(text: &str, names: &mut Names) -> Result<(Reading, Door), Unr
                     [LINE, "shape", "="],
                     &read,
                     &names.inputs,
+                    &taken,
                     &mut reading,
                 )
             }
@@ -51,7 +55,7 @@ pub(super) fn read(text: &str, names: &mut Names) -> Result<(Reading, Door), Unr
             }
             Hole::Door => {
                 let end = [INNER_LINE, "return", "cls"];
-                statements(cursor, end, &[], &names.asked, &mut door.angles)
+                statements(cursor, end, &[], &names.asked, &taken, &mut door.angles)
             }
             Hole::Source(place) => {
                 let input = names.inputs[place].quantity.clone();
@@ -71,13 +75,13 @@ fn statements(
     end: [&str; 3],
     read: &[&str],
     names: &[Name],
+    taken: &BTreeSet<String>,
     reading: &mut Reading,
 ) -> Result<(), Unreadable> {
     // The hole stands behind the line before its first one.
     while !cursor.is_at(&end) {
         cursor.expect(&end[..1])?;
-        let taken = ["np", "inputs", "shape", "cls"].map(|word| cursor.is_at(&[word]));
-        if taken.contains(&true) {
+        if cursor.peek().is_some_and(|word| taken.contains(word)) {
             return Err(cursor.refuse("a free name"));
         }
         let variable = cursor.word()?.to_string();

@@ -1,11 +1,13 @@
 //! Reads emitted Rust: the module by its shape, its body with `syn`.
 
+use std::collections::BTreeSet;
+
 use syn::{BinOp, Block, Expr, Lit, Local, Member, Pat, Stmt, Type, UnOp};
 
 use super::cursor::{Cursor, is_word};
 use super::literal::decimal;
 use super::names::{Name, Names, quantity};
-use super::shape::{Hole, follow};
+use super::shape::{Hole, follow, taken};
 use super::token::{Dialect, tokens};
 use super::{Door, Reading, Source, Term, Unreadable};
 
@@ -32,6 +34,9 @@ const LONGEST: usize = 1_000;
 pub(super) fn read(text: &str, names: &mut Names) -> Result<(Reading, Door), Unreadable> {
     let tokens = tokens(text, Dialect::Rust)?;
     let mut cursor = Cursor::new(&tokens);
+    let mut taken = taken(MODULE, Dialect::Rust, names)?;
+    // What a variable would be taken for in a pattern.
+    taken.extend(["Err", "None", "Ok", "Some"].map(String::from));
     let (mut reading, mut door) = (Reading::default(), Door::default());
     follow(
         MODULE,
@@ -43,10 +48,10 @@ pub(super) fn read(text: &str, names: &mut Names) -> Result<(Reading, Door), Unr
             let unreadable = |reason| Unreadable { line, reason };
             match hole {
                 Hole::Body => {
-                    reading = body(&block(text, cursor)?, names).map_err(unreadable)?;
+                    reading = body(&block(text, cursor)?, names, &taken).map_err(unreadable)?;
                 }
                 Hole::Door => {
-                    door = door_body(&block(text, cursor)?, names).map_err(unreadable)?;
+                    door = door_body(&block(text, cursor)?, names, &taken).map_err(unreadable)?;
                 }
                 _ => return Err(cursor.refuse("one body")),
             }
@@ -91,10 +96,10 @@ fn block(text: &str, cursor: &mut Cursor<'_, '_>) -> Result<Block, Unreadable> {
 }
 
 /// Reads the statements of a body; why they are none, otherwise.
-fn body(block: &Block, names: &Names) -> Result<Reading, String> {
+fn body(block: &Block, names: &Names, taken: &BTreeSet<String>) -> Result<Reading, String> {
     let mut reading = Reading::default();
     let fields = statements(block, names, "Outputs", |local| {
-        assignment(local, "inputs", &names.inputs, &mut reading)
+        assignment(local, "inputs", &names.inputs, taken, &mut reading)
     })?;
     for (name, value) in fields {
         let Some(output) = quantity(&names.outputs, &name) else {
@@ -107,10 +112,10 @@ fn body(block: &Block, names: &Names) -> Result<Reading, String> {
 }
 
 /// Reads the statements of the function that takes angles.
-fn door_body(block: &Block, names: &Names) -> Result<Door, String> {
+fn door_body(block: &Block, names: &Names, taken: &BTreeSet<String>) -> Result<Door, String> {
     let mut door = Door::default();
     let fields = statements(block, names, "Inputs", |local| {
-        assignment(local, "angles", &names.asked, &mut door.angles)
+        assignment(local, "angles", &names.asked, taken, &mut door.angles)
     })?;
     for (name, value) in fields {
         let Some(input) = quantity(&names.inputs, &name) else {
@@ -179,6 +184,7 @@ fn assignment(
     local: &Local,
     argument: &str,
     names: &[Name],
+    taken: &BTreeSet<String>,
     reading: &mut Reading,
 ) -> Result<(), String> {
     let pattern = match &local.pat {
@@ -191,8 +197,8 @@ fn assignment(
         }
         _ => return Err("a pattern that is no plain variable".into()),
     };
-    if variable == argument {
-        return Err(format!("`{argument}` gets another meaning"));
+    if taken.contains(&variable) {
+        return Err(format!("`{variable}` gets another meaning"));
     }
     let Some(init) = local.init.as_ref().filter(|init| init.diverge.is_none()) else {
         return Err(format!("`{variable}` has no plain value"));

@@ -2,12 +2,15 @@
 //!
 //! A shape is the text of such a file with holes. Where a line has `$input` or `$output` it stands there
 //! once for each of them, in order, and so with `$asked`, which is what angles and other inputs are called
-//! where angles are asked for; only evaluators with such have the lines with a question mark. `$function`,
-//! `$Function` and `$GUARD` are the name of the evaluator, `$first` is the first input. The other words with
-//! a dollar sign are holes for what is computed.
+//! where angles are asked for; only evaluators with such have the lines with a question mark, those with
+//! inputs the lines with a plus, and those without the lines with a minus. `$function`, `$Function` and
+//! `$GUARD` are the name of the evaluator, `$first` is the first input and `$leader` the first output. The
+//! other words with a dollar sign are holes for what is computed.
+
+use std::collections::BTreeSet;
 
 use super::Unreadable;
-use super::cursor::Cursor;
+use super::cursor::{Cursor, is_word};
 use super::names::{Name, Names, spellings};
 use super::token::{Dialect, tokens};
 
@@ -37,11 +40,10 @@ pub(super) fn follow<'t, 'a>(
     read: &mut dyn FnMut(Hole, &Names, &mut Cursor<'t, 'a>) -> Result<(), Unreadable>,
 ) -> Result<(), Unreadable> {
     for line in shape.lines() {
-        let line = match line.strip_prefix('?') {
-            Some(_) if names.asked.is_empty() => continue,
-            Some(line) => of_function(line, names),
-            None => of_function(line, names),
+        let Some(line) = line_of(line, names) else {
+            continue;
         };
+        let line = of_function(line, names);
         let count = quantities(&line, names).map_or(1, |(_, quantities)| quantities.len());
         for place in 0..count {
             let line = of_quantity(&line, place, dialect, names, cursor)?;
@@ -65,16 +67,68 @@ pub(super) fn follow<'t, 'a>(
     cursor.end()
 }
 
+/// A line of a shape, if an evaluator has it.
+fn line_of<'s>(line: &'s str, names: &Names) -> Option<&'s str> {
+    let marks = [
+        ('?', !names.asked.is_empty()),
+        ('+', !names.inputs.is_empty()),
+        ('-', names.inputs.is_empty()),
+    ];
+    for (mark, is_there) in marks {
+        if let Some(line) = line.strip_prefix(mark) {
+            return is_there.then_some(line);
+        }
+    }
+    Some(line)
+}
+
+/// The words of a shape that a variable must not have for a name: it would have another meaning there, or
+/// none. Members, lifetimes, attributes and directives are no such words, and the function is hidden where
+/// it is not needed.
+///
+/// # Errors
+///
+/// [`Unreadable`] if the shape itself cannot be read.
+pub(super) fn taken(
+    shape: &str,
+    dialect: Dialect,
+    names: &Names,
+) -> Result<BTreeSet<String>, Unreadable> {
+    let mut taken = BTreeSet::new();
+    for line in shape.lines() {
+        let line = of_function(line.trim_start_matches(['?', '+', '-']), names);
+        if line.trim_start().starts_with('#') {
+            continue;
+        }
+        let tokens = tokens(&line, dialect)?;
+        for (place, token) in tokens.iter().enumerate() {
+            let before = place
+                .checked_sub(1)
+                .map_or("", |before| tokens[before].text);
+            let is_start = tokens.get(place + 1).is_some_and(|next| {
+                next.text.starts_with('$') && next.start == token.start + token.text.len()
+            });
+            let is_name = is_word(token.text) && ![".", "->", "'"].contains(&before) && !is_start;
+            if is_name && token.text != names.function {
+                taken.insert(token.text.to_string());
+            }
+        }
+    }
+    Ok(taken)
+}
+
 fn of_function(line: &str, names: &Names) -> String {
     if !line.contains('$') {
         return line.to_string();
     }
     let first = names.inputs.first().and_then(|name| name.text.as_deref());
+    let leader = names.outputs.first().and_then(|name| name.text.as_deref());
     let guard = format!("SEXTIC_{}_H", names.function.to_ascii_uppercase());
     line.replace("$GUARD", &guard)
         .replace("$function", &names.function)
         .replace("$Function", &names.type_prefix())
         .replace("$first", first.unwrap_or_default())
+        .replace("$leader", leader.unwrap_or_default())
 }
 
 /// The quantities that a line stands there for, and the word in it.

@@ -1,7 +1,8 @@
 //! What was generated, for a terminal.
 
 use sextic_codegen::cost::Cost;
-use sextic_codegen::evaluator::Rounding;
+use sextic_codegen::evaluator::Evaluator;
+use sextic_codegen::language::Renamed;
 use unicode_width::UnicodeWidthStr;
 
 use crate::compile::generation::Generated;
@@ -13,11 +14,15 @@ pub fn generated(generated: &Generated) -> String {
         .iter()
         .map(|specification| {
             let evaluator = &specification.evaluator;
-            let operations = Cost::of(&evaluator.hoisted().sweep).total();
+            let operations = match evaluator.is_constant() {
+                true => evaluator.cost(),
+                false => Cost::of(&evaluator.hoisted().sweep),
+            };
+            let operations = operations.total();
             [
                 evaluator.name.clone(),
                 format!("{operations} operations"),
-                rounding(evaluator.rounding.as_ref()),
+                rounding(evaluator),
             ]
         })
         .collect();
@@ -33,11 +38,27 @@ pub fn generated(generated: &Generated) -> String {
         let gap = " ".repeat(counts - count.width());
         format!("{name}  {gap}{count}, proven; {rounding}\n")
     };
-    rows.iter().map(line).collect()
+    let lines = rows.iter().map(line);
+    lines.chain(generated.renamed.iter().map(renamed)).collect()
 }
 
-fn rounding(measured: Option<&Rounding>) -> String {
-    let Some(rounding) = measured else {
+/// What the files of an evaluator call otherwise than the document.
+fn renamed(renamed: &Renamed) -> String {
+    let function = (renamed.evaluator.clone(), renamed.function.clone());
+    let function = Some(function).filter(|(name, written)| name != written);
+    let names = function.iter().chain(&renamed.names);
+    let names: Vec<String> = names
+        .map(|(name, written)| format!("`{name}` is called `{written}`"))
+        .collect();
+    format!(
+        "{}: {}, since the text needs the name\n",
+        renamed.evaluator,
+        names.join(", ")
+    )
+}
+
+fn rounding(evaluator: &Evaluator) -> String {
+    let Some(rounding) = &evaluator.rounding else {
         return "rounding not measured".to_string();
     };
     let worst = |errors: &[f64]| errors.iter().copied().fold(0.0, f64::max);
@@ -46,7 +67,10 @@ fn rounding(measured: Option<&Rounding>) -> String {
         true => format!("{worst:.1}"),
         false => format!("{worst:.1e}"),
     };
-    format!("at 99 of 100 points within {shown} units in the last place")
+    match evaluator.is_constant() {
+        true => format!("within {shown} units in the last place"),
+        false => format!("at 99 of 100 points within {shown} units in the last place"),
+    }
 }
 
 fn padded(text: &str, width: usize) -> String {
