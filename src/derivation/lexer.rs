@@ -216,6 +216,10 @@ mod tests {
             kinds("a # b \" c\n\"d # e\" \"f\n"),
             [TokenKind::Name, TokenKind::Text, TokenKind::UnclosedText]
         );
+        assert_eq!(kinds("a # b\rc # d\r\n\"e\rf"), {
+            use TokenKind::{Name, UnclosedText};
+            [Name, Name, UnclosedText, Name]
+        });
     }
 
     #[test]

@@ -128,6 +128,8 @@ fn latex_is_for_print() {
             r"\begin{bmatrix} a & b \\ c & d \end{bmatrix}",
         ),
         ("M_a[1, 2]", r"\left(M_{a}\right)_{1,2}"),
+        ("v[2]^2 - v_2", r"\left(v\right)_{2}^{2} - v_{2}"),
+        ("ẋ[2] - ẋ_2", r"\left(\dot{x}\right)_{2} - \dot{x}_{2}"),
         ("C_D′ + C_D″(α)", r"C_{D}' + C_{D}''\left(\alpha\right)"),
         ("d(L, ẋ)", r"\frac{\partial L}{\partial \dot{x}}"),
         (

@@ -145,18 +145,15 @@ fn power(base: &Expression, exponent: &str) -> String {
     format!("{}^{{{exponent}}}", script_base(base, true))
 }
 
-/// What can bear an exponent, or an index if it has none of its own.
+/// What can bear an exponent, or an index: (v)₂ is an entry of v, and not what is called v_2.
 fn script_base(base: &Expression, may_have_index: bool) -> String {
     let written = expression(base);
     let is_single = match &base.node {
-        Node::Name(name) => may_have_index || !name.unicode.contains('_'),
+        Node::Name(_) | Node::Index(..) => may_have_index,
         Node::Matrix(_) => true,
         Node::Number(_) => Strength::of(base) == Strength::Operand,
-        Node::Index(..) => may_have_index,
-        Node::Call { .. } => match dotted(base) {
-            Some((name, _)) => may_have_index || !name.unicode.contains('_'),
-            None => written.starts_with(r"\sqrt"),
-        },
+        Node::Call { .. } if dotted(base).is_some() => may_have_index,
+        Node::Call { .. } => written.starts_with(r"\sqrt"),
         _ => false,
     };
     if is_single {
