@@ -29,7 +29,7 @@ pub struct Comparison {
     pub case: Case,
     /// The angles in order, with the answers of all methods.
     pub points: Vec<Point>,
-    /// Where the section gallops for certain.
+    /// Where the section gallops or diverges for certain.
     pub unstable: Vec<UnstableRange>,
     /// Where it is neither stable nor unstable for certain.
     pub undecided: Vec<AngleRange>,

@@ -58,6 +58,22 @@ impl ExactSection {
         &self.0
     }
 
+    /// Whether the wind turns the section over: static divergence, where the determinant of the stiffness is below 0,
+    /// so that a real eigenvalue is above 0. It is that of the turn alone, m r² ω_θ² − ρD²U²C_M′/2, since stiffness
+    /// couples nothing to the turn (`derivations/extensions.md`, section 3). What grows otherwise gallops, whether it
+    /// oscillates or not.
+    pub fn diverges(&self) -> bool {
+        let p = &self.0;
+        let (Forces::Coefficients(c), true) = (&p.forces, p.aerodynamic_stiffness) else {
+            return false;
+        };
+        let radius = &p.radius_of_gyration * &p.natural_frequencies[Coordinate::Theta.index()];
+        let own = Rational::from(2) * &p.mass * &radius * &radius;
+        let length = &p.reference_dimension * &p.wind_speed;
+        let turning = &p.air_density * &length * &length * &c.moment_slope;
+        p.free.as_slice().contains(&Coordinate::Theta) && own < turning
+    }
+
     /// The unit of frequency: a power of 2 near the largest natural frequency of a free coordinate.
     pub(super) fn frequency_unit(&self) -> Rational {
         let free = self.0.free.as_slice().iter();
@@ -248,18 +264,11 @@ fn wind_factor(
 }
 
 impl From<&Section> for ExactSection {
-    /// The doubles of a section as exact numbers; of α_g + θ_0 and γ_r + θ_0 the sum in doubles, which is
-    /// what sines are taken of everywhere else.
+    /// The doubles of a section as exact numbers.
     fn from(section: &Section) -> Self {
-        let p = section.parameters();
         // Parameters of a section are finite.
         let exact = |own: &f64| Rational::try_from(*own).unwrap_or_default();
-        let beside = |angle: f64| exact(&(angle + p.attitude)) - exact(&p.attitude);
-        ExactSection(Parameters {
-            mass_centre_angle: beside(p.mass_centre_angle),
-            aerodynamic_centre_angle: beside(p.aerodynamic_centre_angle),
-            ..p.map(exact)
-        })
+        ExactSection(section.parameters().map(exact))
     }
 }
 

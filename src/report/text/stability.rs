@@ -50,7 +50,7 @@ fn unstable(page: &mut Page, comparison: &Comparison) {
                 own.angles.to_string(),
                 format!("{}°", angle(own.worst)),
                 rounded(own.damping, 4),
-                of_mode(&|mode| frequency(mode, &comparison.case)),
+                of_mode(&|mode| frequency(mode, own.diverges, &comparison.case)),
                 of_mode(&mode),
             ]
         };
