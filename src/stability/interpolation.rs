@@ -19,6 +19,15 @@ pub enum Interpolation {
     Cubic,
 }
 
+impl fmt::Display for Interpolation {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Interpolation::Linear => "straight lines between them",
+            Interpolation::Cubic => "cubic splines between them",
+        })
+    }
+}
+
 /// An angle that a table does not reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutsideTable {

@@ -23,6 +23,7 @@ const TABLE: usize = 70;
 pub fn comparison(comparison: &Comparison, width: usize) -> String {
     let mut page = Page::new(width);
     page.prose(&[], &[Run::words(title(comparison), STRONG)]);
+    page.prose(&[], &[Run::words(&comparison.reading, FAINT)]);
     unstable(&mut page, comparison);
     methods(&mut page, comparison);
     if !comparison.remarks.is_empty() {
