@@ -192,6 +192,7 @@ impl Mul for Ball {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::algebra::interval::Intervals;
     use dashu_ratio::RBig as Rational;
     use proptest::prelude::*;
 
@@ -223,6 +224,24 @@ mod tests {
             prop_assert!(holds(ball, &re, &im));
             let size = (a.largest() * b.largest() + c.largest()) * b.largest();
             prop_assert!(ball.radius <= 1e-14 * size + 1e-300);
+        }
+
+        /// Of the sum of the doubles themselves, however large they are beside it.
+        #[test]
+        fn sines_of_sums_are_enclosed(
+            angles in prop::collection::vec(prop_oneof![-7.0..7.0_f64, -2000.0..2000.0_f64, Just(0.0), -1e-9..1e-9_f64], 1..4),
+        ) {
+            let sum = angles.iter().fold(Rational::ZERO, |sum, own| sum + exact(*own));
+            let intervals = Intervals::new(200);
+            let expected = intervals.cosine_and_sine(&sum.to_string().parse().expect("a number"));
+            for (ball, expected) in cosine_and_sine(&angles).iter().zip(expected) {
+                for bound in intervals.bounds(&expected) {
+                    let bound: Rational = bound.to_string().parse().expect("a number");
+                    prop_assert!(holds(*ball, &bound, &Rational::ZERO), "{ball:?} {angles:?}");
+                }
+                let size: f64 = angles.iter().map(|own| own.abs()).sum();
+                prop_assert!(ball.radius <= 1e-15 * (1.0 + size));
+            }
         }
     }
 }

@@ -270,3 +270,103 @@ pub fn speeds_of(
     // The first error, not the one that was found first.
     found.into_iter().collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Parts that begin where the one before ends, each with its end in units of 2⁻⁴⁰.
+    fn found(parts: &[(u64, Found)], is_neutral: bool) -> Speeds {
+        let mut from = Rational::ZERO;
+        let part = |&(to, found): &(u64, Found)| {
+            let to = Rational::from(to) / Rational::from(1_u64 << 40);
+            let part = Part {
+                from: from.clone(),
+                to: to.clone(),
+                found,
+            };
+            from = to;
+            part
+        };
+        let parts: Vec<Part> = parts.iter().map(part).collect();
+        Speeds::new(&parts, 1.0, is_neutral)
+    }
+
+    #[test]
+    fn what_is_open_between_stable_and_unstable_holds_a_critical_speed() {
+        use Stability::{Divergent, Stable, Undecided, Unstable};
+        let certain = Found::Certain;
+        let (half, all) = (1_u64 << 39, 1_u64 << 40);
+        let middle = [
+            (half + 1, certain(Undecided)),
+            (half + 2, Found::Change([Unstable, Stable])),
+        ];
+        for (parts, is_neutral, ranges, becomes) in [
+            // What the determinants show, and what they leave open: one part or several.
+            (
+                vec![(half + 1, Found::Change([Stable, Unstable]))],
+                false,
+                vec![Stable, Unstable],
+                vec![Unstable],
+            ),
+            (
+                vec![(half + 1, certain(Undecided))],
+                false,
+                vec![Stable, Unstable],
+                vec![Unstable],
+            ),
+            (
+                middle.to_vec(),
+                false,
+                vec![Stable, Unstable],
+                vec![Unstable],
+            ),
+            (
+                middle.to_vec(),
+                true,
+                vec![Undecided, Unstable],
+                vec![Unstable],
+            ),
+            // As many speeds as these enclose nothing.
+            (
+                vec![(half + half / 2, certain(Undecided))],
+                false,
+                vec![Stable, Undecided, Unstable],
+                vec![],
+            ),
+        ] {
+            let parts = [
+                vec![(half, certain(Stable))],
+                parts,
+                vec![(all, certain(Unstable))],
+            ]
+            .concat();
+            let speeds = found(&parts, is_neutral);
+            let kinds: Vec<_> = speeds.ranges.iter().map(|own| own.stability).collect();
+            let changes: Vec<_> = speeds.critical.iter().map(|own| own.becomes).collect();
+            assert_eq!((kinds, changes), (ranges, becomes), "{parts:?}");
+            for own in &speeds.critical {
+                assert!(
+                    (own.speed - 0.5).abs() <= own.error && own.error < 1e-11,
+                    "{own:?}"
+                );
+            }
+        }
+        // Where the same is on both sides nothing need change.
+        let parts = [
+            (half, certain(Stable)),
+            (half + 1, certain(Undecided)),
+            (all, certain(Stable)),
+        ];
+        let speeds = found(&parts, false);
+        assert_eq!(speeds.ranges.len(), 3);
+        assert!(speeds.critical.is_empty());
+        // A change that is proven to be one, however wide.
+        let parts = [
+            (half, certain(Unstable)),
+            (half + half / 2, Found::Change([Unstable, Divergent])),
+            (all, certain(Divergent)),
+        ];
+        assert_eq!(found(&parts, false).critical.len(), 1);
+    }
+}

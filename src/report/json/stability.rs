@@ -1,4 +1,4 @@
-//! `{"case", "free", "points": […], "unstable": […], "methods": […], "warnings": […]}`.
+//! `{"case", "free", "table", "points": […], "unstable": […], "methods": […], "warnings": […]}`.
 
 use serde::Serialize;
 
@@ -15,6 +15,7 @@ use super::write;
 struct Compared<'a> {
     case: &'a str,
     free: Vec<&'a str>,
+    table: &'a str,
     points: Vec<AtAngle<'a>>,
     unstable: Vec<Unstable<'a>>,
     undecided: Vec<Angles>,
@@ -98,6 +99,7 @@ pub fn comparison(comparison: &Comparison) -> String {
     write(&Compared {
         case: &case.file,
         free: comparison.free().iter().map(|own| own.name()).collect(),
+        table: &comparison.reading,
         points: comparison
             .points
             .iter()
