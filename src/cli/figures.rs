@@ -1,6 +1,6 @@
 //! `sextic figures`: the paper's kinds of figures, on any case.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
@@ -8,7 +8,7 @@ use crate::report::gallery;
 
 use super::Outcome;
 use super::case::{case_and_table, refuse};
-use super::file::write_text;
+use super::file::{spare, write_text};
 use super::output::{finish, reason, wrong};
 
 /// Draws the paper's kinds of figures for a case, as SVG
@@ -32,7 +32,7 @@ pub struct Arguments {
 
 /// Draws all figures of a case and names their files.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let (case, table) = match case_and_table(&arguments.case) {
+    let (case, table) = match case_and_table(&arguments.case, &[]) {
         Ok(both) => both,
         Err(outcome) => return outcome,
     };
@@ -41,7 +41,13 @@ pub fn run(arguments: &Arguments) -> Outcome {
         Err(error) => return refuse(&error),
     };
     let folder = &arguments.out;
-    let unwritable = |path: &std::path::Path, reason: &str| {
+    let read = [&arguments.case, Path::new(table.file())];
+    for (name, _) in &figures {
+        if let Err(outcome) = spare(&folder.join(format!("{name}.svg")), &read) {
+            return outcome;
+        }
+    }
+    let unwritable = |path: &Path, reason: &str| {
         wrong(
             &format!("`{}` cannot be written: {reason}", path.display()),
             "name a folder that you may write to",

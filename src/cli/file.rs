@@ -4,6 +4,8 @@ use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
+use crate::stability::input::shortened;
+
 use super::Outcome;
 use super::folder::stage;
 use super::output::{reason, wrong};
@@ -15,7 +17,7 @@ const LARGEST: u64 = 64 << 20;
 pub fn read_text(path: &Path, what: &str) -> Result<String, Outcome> {
     let unreadable = |reason: &str| {
         wrong(
-            &format!("`{}` cannot be read: {reason}", path.display()),
+            &format!("`{}` cannot be read: {reason}", shown(path)),
             &format!("name {what}"),
         )
     };
@@ -26,6 +28,42 @@ pub fn read_text(path: &Path, what: &str) -> Result<String, Outcome> {
         return Err(unreadable("it is larger than 64 MiB"));
     }
     String::from_utf8(bytes).map_err(|_| unreadable("it is not in UTF-8: save it as such"))
+}
+
+/// A path as messages show it.
+fn shown(path: &Path) -> String {
+    shortened(&path.to_string_lossy())
+}
+
+/// Refuses an output that is one of the files that were read, by whatever name or link.
+pub fn spare(output: &Path, read: &[&Path]) -> Result<(), Outcome> {
+    match read.iter().find(|own| is_one_file(output, own)) {
+        None => Ok(()),
+        Some(own) => Err(wrong(
+            &format!("`{}` is `{}`, which is read", shown(output), shown(own)),
+            "name another file: nothing was written",
+        )),
+    }
+}
+
+/// Whether two paths lead to one regular file that is there.
+pub fn is_one_file(one: &Path, other: &Path) -> bool {
+    let (Ok(known), Ok(beside)) = (fs::metadata(one), fs::metadata(other)) else {
+        return false;
+    };
+    if !known.is_file() {
+        return false;
+    }
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        (known.dev(), known.ino()) == (beside.dev(), beside.ino())
+    }
+    #[cfg(not(unix))]
+    {
+        let _ = beside;
+        matches!((fs::canonicalize(one), fs::canonicalize(other)), (Ok(one), Ok(other)) if one == other)
+    }
 }
 
 /// Writes a file: whole, or not at all. What is no regular file, such as a pipe, is written to.
@@ -54,7 +92,7 @@ pub fn write_made(path: &Path, made: Result<String, String>) -> Result<(), Outco
     let written = made.and_then(|text| write_text(path, &text).map_err(|error| reason(&error)));
     written.map_err(|reason| {
         wrong(
-            &format!("`{}` cannot be written: {reason}", path.display()),
+            &format!("`{}` cannot be written: {reason}", shown(path)),
             "name a file in a folder that is there and that you may write to",
         )
     })

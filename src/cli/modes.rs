@@ -94,8 +94,9 @@ Members of --format json:
   method       what found the eigenvalues: state, too, where it stands in for exact
   eigenvalues  re and im in 1/s; error, the bound above, in 1/s, or null where there is none;
                with --shapes also shape: x, y and r_theta, each with re and im, or null
-  s3d          -4 m max(re)/(rho D U), or null without wind
+  s3d          -4 m max(re)/(rho D U), or null without wind; s3d_error, the bound of its error
   verdict      stable, unstable or undecided, with its reason
+  diverges     whether the stiffness of the turn is below 0: else what is unstable gallops
   warnings     what speaks against the method for this section, and what was given in vain
 
 Examples:
@@ -144,7 +145,8 @@ fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
         aerodynamic_stiffness,
         ..parameters(&exact)
     });
-    let verdict = exact_verdict(&exact.map_err(refuse)?);
+    let exact = exact.map_err(refuse)?;
+    let (verdict, diverges) = (exact_verdict(&exact), exact.diverges());
     let spectrum = |found: Result<Spectrum, StabilityError>| found.map_err(refuse);
     let is_formula = matches!(arguments.method, Method::Closed | Method::Uniform);
     if arguments.shapes && is_formula {
@@ -170,6 +172,7 @@ fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
         Method::Uniform => by_form("uniform", uniform_form(&model), &model, verdict)?,
         Method::State => by_spectrum("state", &spectrum(state_matrix::eigenvalues(&model))?),
     };
+    found.diverges = diverges;
     // What a form leaves out is used by its warnings and bounds.
     let used = needed(&values, true);
     let unused = values.keys().filter(|name| !used.contains(&name.as_str()));
@@ -227,6 +230,7 @@ fn by_form(
         modes: pairs.into_iter().map(mode).collect(),
         damping_coefficient: damping,
         verdict,
+        diverges: false,
         warnings: form.warnings.iter().map(ToString::to_string).collect(),
     })
 }
@@ -267,6 +271,7 @@ fn by_spectrum(
         modes: places.into_iter().map(mode).collect(),
         damping_coefficient: damping.map(|(damping, error)| (damping, Some(error))),
         verdict,
+        diverges: false,
         warnings,
     }
 }

@@ -66,20 +66,7 @@ impl Partial {
             return Ok((partial, Left::Nothing));
         }
         let path = beside(&target, identity)?;
-        let options = OpenOptions::new()
-            .read(true)
-            .write(true)
-            .create(true)
-            .truncate(false)
-            .clone();
-        let file = options.open(&path)?;
-        match file.try_lock() {
-            Err(TryLockError::WouldBlock) => {
-                return Err(io::Error::other("another process is writing it"));
-            }
-            // Where files cannot be locked two runs may be in each other's way, which a lock would tell.
-            Err(TryLockError::Error(_)) | Ok(()) => {}
-        }
+        let file = locked(&path)?;
         let mut partial = Partial {
             file,
             path: Some(path),
@@ -122,8 +109,9 @@ impl Partial {
         Ok((rows > 0).then_some(Found { rows, last }))
     }
 
-    /// What interrupted runs of other computations left beside the target.
-    pub fn others(&self) -> Vec<PathBuf> {
+    /// The rows of other computations beside the target, and whether they are being written: else they are left
+    /// of a run that was interrupted.
+    pub fn others(&self) -> Vec<(PathBuf, bool)> {
         let name = |path: &Path| {
             path.file_name()
                 .unwrap_or_default()
@@ -143,7 +131,11 @@ impl Partial {
         let own = |entry: fs::DirEntry| self.target.with_file_name(entry.file_name());
         let mut others: Vec<PathBuf> = entries.map(own).filter(is_other).collect();
         others.sort();
-        others
+        let found = others.into_iter().map(|path| {
+            let is_written = is_locked(&path);
+            (path, is_written)
+        });
+        found.collect()
     }
 
     /// Adds whole rows.
@@ -167,6 +159,52 @@ impl Partial {
         staged.persist(&self.target).map_err(|error| error.error)?;
         fs::remove_file(&path)
     }
+}
+
+/// A file of rows, locked as long as it is open: made if need be.
+fn locked(path: &Path) -> io::Result<File> {
+    let mut options = OpenOptions::new();
+    options.read(true).write(true).create(true).truncate(false);
+    for _ in 0..ATTEMPTS {
+        let file = options.open(path)?;
+        match file.try_lock() {
+            Err(TryLockError::WouldBlock) => {
+                return Err(io::Error::other("another process is writing it"));
+            }
+            // Where files cannot be locked two runs may be in each other's way, which a lock would tell.
+            Err(TryLockError::Error(_)) | Ok(()) => {}
+        }
+        // Who held the lock before may have been through, and the file has got the name of the target.
+        if is_at(&file, path) {
+            return Ok(file);
+        }
+    }
+    Err(io::Error::other("another process is writing it"))
+}
+
+/// So often a file is opened anew that was renamed before it was locked.
+const ATTEMPTS: usize = 8;
+
+/// Whether a file that is open is still the one with this path.
+fn is_at(file: &File, path: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        let place = |known: fs::Metadata| (known.dev(), known.ino());
+        let pair = (file.metadata().map(place), fs::metadata(path).map(place));
+        matches!(pair, (Ok(own), Ok(named)) if own == named)
+    }
+    #[cfg(not(unix))]
+    {
+        let _ = file;
+        path.exists()
+    }
+}
+
+/// Whether another process, or this one, holds the lock of a file.
+fn is_locked(path: &Path) -> bool {
+    let file = OpenOptions::new().read(true).write(true).open(path);
+    file.is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
 }
 
 /// Writes the rows of a file in another format.

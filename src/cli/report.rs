@@ -1,6 +1,6 @@
 //! `sextic report`: a derivation and a case as one page.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use clap::builder::{PathBufValueParser, TypedValueParser};
@@ -15,7 +15,7 @@ use crate::stability::validity::validity;
 
 use super::Outcome;
 use super::case::{case_and_files, refuse};
-use super::file::{promising, write_made};
+use super::file::{promising, spare, write_made};
 use super::output::{complain, finish};
 use super::source::{Audited, audit_all};
 use super::speeds::USUAL_HIGHEST;
@@ -62,7 +62,7 @@ Exit status:
 pub fn run(arguments: &Arguments) -> Outcome {
     // The case is read first: it is quickly refused.
     let case = arguments.case.as_ref().map(|path| {
-        let (case, table, files) = case_and_files(path)?;
+        let (case, table, files) = case_and_files(path, std::slice::from_ref(&arguments.out))?;
         let comparison = compare(&case, &table).map_err(|error| refuse(&error))?;
         let figures = of_case(&comparison, &table).map_err(|error| refuse(&error))?;
         let speeds = SpeedsFound {
@@ -99,7 +99,9 @@ pub fn run(arguments: &Arguments) -> Outcome {
         version: env!("CARGO_PKG_VERSION"),
     };
     let path = &arguments.out;
-    if let Err(outcome) = write_made(path, html::page(&request)) {
+    let sources = audits.iter().flat_map(|audit| &audit.sources);
+    let read: Vec<&Path> = sources.map(|own| Path::new(&own.path)).collect();
+    if let Err(outcome) = spare(path, &read).and_then(|()| write_made(path, html::page(&request))) {
         return outcome;
     }
     for audit in audits.iter().filter(|audit| !audit.as_expected()) {

@@ -40,8 +40,8 @@ const EXAMPLES: &str = "\
 Verdicts:
   stable     every eigenvalue has a negative real part, at all speeds of the range
   unstable   one has a positive real part, at all speeds of the range
-  divergent  one is real and above 0: with aerodynamic stiffness the wind turns the section over,
-             without any oscillation, and whether it gallops beside that or not
+  divergent  the stiffness of the turn is below 0: with aerodynamic stiffness the wind turns the
+             section over, without any oscillation, and whether it gallops beside that or not
   undecided  none is shown: a real part that is exactly 0 at every speed, or speeds closer than
              1e-12 of themselves
 
@@ -56,7 +56,7 @@ Examples:
 
 /// Finds the speeds and writes them.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let (case, table) = match case_and_table(&arguments.case) {
+    let (case, table) = match case_and_table(&arguments.case, arguments.view.outputs()) {
         Ok(both) => both,
         Err(outcome) => return outcome,
     };

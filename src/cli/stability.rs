@@ -1,6 +1,6 @@
 //! `sextic stability`: where a section gallops, by every method.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
@@ -8,7 +8,7 @@ use crate::report::{csv, json, stability_figure, text};
 use crate::stability::comparison::{Comparison, compare};
 
 use super::Outcome;
-use super::case::{case_and_table, refuse};
+use super::case::{case_and_files, refuse, warn};
 use super::view::View;
 
 /// Shows at which angles a section gallops, and how the methods agree
@@ -73,12 +73,16 @@ Modes are numbered by their frequency at the first angle, the highest first, and
 shapes. Where strong damping or stiffness splits a pair of eigenvalues into two real ones, one of
 them goes on, and the other takes the lowest free number.
 
-Columns of --format csv, a row an angle (an empty cell: a method that does not apply, no such mode):
+What is unstable diverges where the stiffness of the turn is below 0, which takes aerodynamic
+stiffness, and gallops everywhere else, with or without an oscillation.
+
+Columns of --format csv, a row an angle (an empty cell: a method that does not apply, no such mode,
+or a number of which no digit is certain):
   alpha_deg
   s3d_exact (state matrix), s3d_companion, s3d_closed, s3d_uniform: S_3D, or S of fewer freedoms
   error_exact, error_companion: what is exact is no farther from the number that is printed
-  verdict: stable, unstable or undecided, certain for the numbers as doubles: by the errors, or by
-  exact arithmetic
+  verdict: stable, unstable (it gallops or diverges) or undecided, certain for the numbers as
+  doubles: by the errors, or by exact arithmetic
   mode, frequency_hz: number and frequency of the mode with the least damping
   s_mode_1, frequency_hz_mode_1 and so on: S and frequency of every mode
 
@@ -88,10 +92,13 @@ Exit status:
 
 /// Computes a case and writes it.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let comparison = match comparison(&arguments.case) {
+    let comparison = match comparison(arguments) {
         Ok(comparison) => comparison,
         Err(outcome) => return outcome,
     };
+    if arguments.view.is_table() {
+        warn(&comparison.remarks);
+    }
     arguments.view.show(
         || stability_figure::figure(&comparison).svg(),
         |width| text::comparison(&comparison, width),
@@ -101,7 +108,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
 }
 
 /// A case from the disk, compared at all its angles.
-fn comparison(path: &Path) -> Result<Comparison, Outcome> {
-    let (case, table) = case_and_table(path)?;
+fn comparison(arguments: &Arguments) -> Result<Comparison, Outcome> {
+    let (case, table, _) = case_and_files(&arguments.case, arguments.view.outputs())?;
     compare(&case, &table).map_err(|error| refuse(&error))
 }

@@ -12,11 +12,12 @@ use sha2::{Digest, Sha256};
 use crate::derivation::diagnostic::{SourceFile, nearest};
 use crate::report::csv::{grid_heading, grid_row};
 use crate::stability::axis::Axis;
+use crate::stability::coefficient_table::remarks::remarks;
 use crate::stability::grid::{Grid, Methods, Rows};
 use crate::stability::variable::Variable;
 
 use super::Outcome;
-use super::case::{case_and_files, refuse};
+use super::case::{case_and_files, refuse, warn};
 use super::output::{complain, finish, reason, stream, wrong};
 use super::partial::{Conversion, Left, Partial};
 
@@ -74,7 +75,7 @@ Quantities, as in a case file or in SI units and radians:
 
 Columns, after the quantities and the angle, as far as their methods are asked:
   s3d_exact (state matrix), s3d_companion, s3d_closed, s3d_uniform: S_3D; empty where a method does
-  not apply
+  not apply, or no digit is certain
   error_exact, error_companion: what is exact is no farther from the number that is printed
   frequency_hz, mostly: of the mode with the least damping, and the coordinate that moves most in it
   closed_limits, uniform_limits: what speaks against the form, in words: held (a coordinate),
@@ -112,10 +113,12 @@ static IS_INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
 /// Computes a sweep and writes its rows.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let (case, table, files) = match case_and_files(&arguments.case) {
+    let (case, table, files) = match case_and_files(&arguments.case, arguments.out.as_slice()) {
         Ok(read) => read,
         Err(outcome) => return outcome,
     };
+    warn(&remarks(&table));
+    warn(&case.remarks());
     let methods = Methods {
         exact: arguments.method.contains(&Method::State),
         companion: arguments.method.contains(&Method::Companion),
@@ -165,15 +168,18 @@ fn to_file(grid: &Grid, path: &Path, identity: &str) -> Outcome {
     let (mut partial, left) = match Partial::open(path, identity, &heading, row) {
         Ok(begun) => begun,
         Err(error) => {
-            let help = "name a file in a folder that is there and that you may write to";
+            let help = "name a file in a folder that is there and that you may write to, and to which no other sweep writes";
             return unwritable(&error, help);
         }
     };
-    for other in partial.others() {
-        let other = other.display();
-        complain(&format!(
-            "{other} is left of a sweep with other inputs that was interrupted: delete it if you need it no more\n"
-        ));
+    for (other, is_written) in partial.others() {
+        let what = match is_written {
+            true => "is being written by another sweep to the same file, with other inputs",
+            false => {
+                "is left of a sweep with other inputs that was interrupted: delete it if you need it no more"
+            }
+        };
+        complain(&format!("{} {what}\n", other.display()));
     }
     let done = match left {
         Left::Nothing => 0,

@@ -36,8 +36,12 @@ Examples:
 The error of a form is that of S_3D over |S_a|, the norm of the scaled damping matrix (18), at the
 worst angle. delta is rho D U/(2 m omega_y).
 
+All angles of the case are looked at, at every place of the map; a case with more than 400 of them
+has a coarser map.
+
 Columns of --format csv, a row for each place of the map: eccentricity, delta; for each form its
-error and at how many angles the sign of stability is wrong.
+error, at how many of the angles the sign of stability is wrong for certain (wrong_signs), and at
+how many more it may be, since the exact S_3D is within its error of 0 (open_signs).
 
 Exit status:
   0  the case was computed, wherever it lies
@@ -45,7 +49,7 @@ Exit status:
 
 /// Computes the map of a case and writes it.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let (case, table) = match case_and_table(&arguments.case) {
+    let (case, table) = match case_and_table(&arguments.case, arguments.view.outputs()) {
         Ok(both) => both,
         Err(outcome) => return outcome,
     };

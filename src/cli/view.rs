@@ -37,6 +37,16 @@ enum Form {
 }
 
 impl View {
+    /// The files that are written beside standard output.
+    pub fn outputs(&self) -> &[PathBuf] {
+        self.plot.as_slice()
+    }
+
+    /// Whether the results are a table, which has no place for what is odd about the input.
+    pub fn is_table(&self) -> bool {
+        self.format == Form::Csv
+    }
+
     /// Draws the figure if it is asked for, and writes the results: for so many columns, as CSV, or as JSON.
     pub fn show(
         &self,

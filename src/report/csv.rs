@@ -74,12 +74,14 @@ pub fn speeds(found: &SpeedsFound) -> String {
     text
 }
 
-/// A row for each place of a map: e, δ, and for each form its error and at how many angles its sign is wrong.
+/// A row for each place of a map: e, δ, and for each form its error, at how many angles its sign is wrong, and at
+/// how many that is not known.
 pub fn validity(validity: &Validity) -> String {
     let mut heading = vec!["eccentricity".to_string(), "delta".to_string()];
     for form in Form::ALL {
         heading.push(format!("error_{}", form.word()));
         heading.push(format!("wrong_signs_{}", form.word()));
+        heading.push(format!("open_signs_{}", form.word()));
     }
     let mut text = heading.join(",") + "\n";
     let rows = validity.cells.chunks(validity.eccentricities.len());
@@ -89,6 +91,7 @@ pub fn validity(validity: &Validity) -> String {
             for own in cell {
                 row.push(format!("{:.2e}", own.error));
                 row.push(own.wrong_signs.to_string());
+                row.push(own.open_signs.to_string());
             }
             text += &(row.join(",") + "\n");
         }

@@ -19,6 +19,8 @@ pub struct ModesFound {
     pub damping_coefficient: Option<(f64, Option<f64>)>,
     /// Whether the section is stable, with proof, by whichever method the modes are found.
     pub verdict: Verdict,
+    /// Whether it diverges, with proof: else what grows gallops.
+    pub diverges: bool,
     /// What speaks against the answer, and what was given in vain.
     pub warnings: Vec<String>,
 }

@@ -4,7 +4,7 @@ use crate::stability::case::Case;
 use crate::stability::comparison::{AngleRange, Value, angle, listed as angles_listed};
 use crate::stability::critical_speed::{CriticalSpeed, SpeedRange, Speeds, Stability};
 
-use super::stability::{decimal, rounded};
+use super::stability::{decimal, rounded, unstable_words};
 
 /// The wind speeds of a case at its angles.
 #[derive(Clone, Debug)]
@@ -49,11 +49,9 @@ pub fn has(found: &SpeedsFound, stability: Stability) -> bool {
 
 /// What the section does where it is not stable.
 pub fn what_it_does(found: &SpeedsFound) -> &'static str {
-    match [Stability::Unstable, Stability::Divergent].map(|own| has(found, own)) {
-        [true, true] => "gallops or diverges",
-        [false, true] => "diverges",
-        _ => "gallops",
-    }
+    let [gallops, diverges] =
+        [Stability::Unstable, Stability::Divergent].map(|own| has(found, own));
+    unstable_words(gallops, diverges)
 }
 
 /// Where the section gallops: the lowest critical speed, in a sentence.

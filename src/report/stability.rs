@@ -14,13 +14,26 @@ const MOST_DECIMALS: i32 = 9;
 /// Numbers from this on are written with a power of ten.
 const LARGE: f64 = 1e6;
 
-/// A number with the decimals that are certain, nine at most.
+/// A number with the decimals that are certain, nine at most; empty where not a digit is.
 pub fn certain(value: Value) -> String {
-    decimal(value.value, decimals(value.error, MOST_DECIMALS))
+    match is_unknown(value) {
+        true => String::new(),
+        false => decimal(value.value, decimals(value.error, MOST_DECIMALS)),
+    }
 }
 
-/// A number for a table: with the decimals that are certain, so many at most, or as many digits of a large one.
+/// Whether an error leaves no digit of a number certain, not even that it is 0 in whole numbers.
+pub fn is_unknown(value: Value) -> bool {
+    let decimals = decimals(value.error, MOST_DECIMALS);
+    decimals < 0 && order(value.value).saturating_add(decimals) < 0
+}
+
+/// A number for a table: with the decimals that are certain, so many at most, or as many digits of a large one;
+/// `unknown` where not a digit is.
 pub fn rounded(value: Value, most: i32) -> String {
+    if is_unknown(value) {
+        return "unknown".to_string();
+    }
     let places = if value.value.abs() >= LARGE {
         order(value.value)
     } else {
@@ -132,14 +145,23 @@ pub fn with_stiffness(case: &Case) -> &'static str {
     }
 }
 
-/// What a section does where it is unstable: whether a motion grows without oscillating anywhere.
-fn what_it_does(comparison: &Comparison) -> &'static str {
-    let is_growing = |own: &FollowedMode| own.damping.value < -own.damping.error;
-    let mut modes = comparison.points.iter().flat_map(|point| &point.modes);
-    match modes.any(|own| own.frequency == 0.0 && is_growing(own)) {
-        true => "gallops or diverges",
-        false => "gallops",
+/// What an unstable section does. It diverges where the determinant of the stiffness is below 0, and gallops
+/// everywhere else, with or without an oscillation.
+pub fn unstable_words(gallops: bool, diverges: bool) -> &'static str {
+    match (gallops, diverges) {
+        (true, true) => "gallops or diverges",
+        (false, true) => "diverges",
+        _ => "gallops",
     }
+}
+
+/// What a section does at the angles at which it is unstable.
+fn what_it_does(comparison: &Comparison) -> &'static str {
+    let points = comparison.points.iter();
+    let unstable = points.filter(|own| matches!(own.verdict, Verdict::Unstable(_)));
+    let [gallops, diverges] =
+        [false, true].map(|kind| unstable.clone().any(|own| own.diverges == kind));
+    unstable_words(gallops, diverges)
 }
 
 /// Where the section gallops, in a sentence: what is not decided is not called stable.
@@ -180,19 +202,24 @@ pub fn conclusion(comparison: &Comparison) -> String {
 /// How all verdicts are known.
 pub const PROOF: &str = "each verdict is proven, by bounds of the errors or in exact arithmetic";
 
-/// The frequency of a mode of a case that grows, as far as it is certain; one that does not oscillate diverges.
-pub fn frequency(mode: &FollowedMode, case: &Case) -> String {
-    if mode.frequency == 0.0 {
-        return "diverges".to_string();
+/// The frequency of a mode that grows, as far as it is certain: one that does not oscillate diverges, or has none.
+pub fn frequency(mode: &FollowedMode, diverges: bool, case: &Case) -> String {
+    match (mode.frequency == 0.0, diverges) {
+        (true, true) => "diverges".to_string(),
+        (true, false) => "none".to_string(),
+        _ => format!("{} Hz", rounded(frequency_in_hertz(mode, case), 4)),
     }
+}
+
+/// The frequency of a mode of a case in Hz, with a bound of its error.
+pub fn frequency_in_hertz(mode: &FollowedMode, case: &Case) -> Value {
     let own = &case.parameters;
     // The bound of S = −4mλ_R/(ρDU) is that of λ.
     let speed = own.air_density * own.reference_dimension * own.wind_speed / (4.0 * own.mass);
-    let frequency = Value {
+    Value {
         value: mode.frequency,
         error: mode.damping.error * speed / TAU,
-    };
-    format!("{} Hz", rounded(frequency, 4))
+    }
 }
 
 /// A mode: `2, mostly y`.
@@ -268,11 +295,11 @@ mod tests {
             (value(-0.00001, 1e-4), 4, "0.000"),
             (value(0.0, 1e-12), 4, "0.0000"),
             (value(123.4, 20.0), 4, "1e2"),
-            (value(12.0, 600.0), 4, "0"),
+            (value(12.0, 600.0), 4, "unknown"),
             (value(-437_581_289.579_6, 1e-3), 4, "-4.3758e8"),
             (value(5e300, 1e285), 4, "5.0000e300"),
-            (value(5e300, 1e302), 4, "0"),
-            (value(0.0, f64::INFINITY), 4, "0"),
+            (value(5e300, 1e302), 4, "unknown"),
+            (value(0.0, f64::INFINITY), 4, "unknown"),
         ] {
             assert_eq!(rounded(number, most), text);
         }
@@ -281,6 +308,8 @@ mod tests {
             ["9", "1e-9", "0", "3e8"]
         );
         assert_eq!(certain(value(1.5e7, 1e-9)), "1.500000000000000e7");
+        assert_eq!(certain(value(-16.8, 112.0)), "");
+        assert_eq!(certain(value(-1234.0, 112.0)), "-1e3");
         assert_eq!([power(0.7), power(2.0), power(0.0)], ["1e0", "1e1", "0"]);
         for (number, text) in [
             (0.019_312_345, "0.0193123"),

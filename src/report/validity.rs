@@ -6,7 +6,7 @@ use crate::stability::validity::{Form, TOLERANCE, Validity};
 /// The largest error of a form for the case as it is, and what is wrong: `1.2e-1 (at 68.5°), wrong sign at 9 of
 /// 361 angles`.
 pub fn departure(validity: &Validity, form: Form) -> String {
-    let angles = validity.own_angles;
+    let angles = validity.angles;
     let Some(own) = validity.own_departures[form as usize] else {
         return "does not apply".to_string();
     };
@@ -14,12 +14,16 @@ pub fn departure(validity: &Validity, form: Form) -> String {
         0 => "no wrong sign".to_string(),
         wrong => format!("wrong sign at {wrong} of {angles} angles"),
     };
+    let open = match own.open_signs {
+        0 => String::new(),
+        open => format!(", not decided at {open}"),
+    };
     let silent = match angles - own.answers {
         0 => String::new(),
         silent => format!(", no answer at {silent}"),
     };
     format!(
-        "{:.1e} (at {}°), {signs}{silent}",
+        "{:.1e} (at {}°), {signs}{open}{silent}",
         rounded_up(own.error),
         angle(own.angle)
     )

@@ -24,7 +24,7 @@ pub fn map(validity: &Validity) -> Map {
     };
     Map {
         title: format!(
-            "{}, perfectly tuned and without structural damping: the worst of {} angles",
+            "{}, perfectly tuned and without structural damping: the worst of all {} angles",
             name(&validity.case),
             validity.angles
         ),

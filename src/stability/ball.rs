@@ -1,8 +1,11 @@
 //! Complex numbers with a bound of their error.
 
+use std::convert::Infallible;
 use std::ops::{Add, Mul};
 
 use num_complex::Complex;
+
+use crate::algebra::arithmetic::Arithmetic;
 
 /// More than the rounding error of a complex product by the product of the absolute values,
 /// and than that of a sum by its absolute value; half of it is needed.
@@ -33,6 +36,11 @@ impl Ball {
             centre,
             radius: 0.0,
         }
+    }
+
+    /// A real number.
+    pub const fn exactly(value: f64) -> Self {
+        Ball::real(value, 0.0)
     }
 
     /// A real number and a bound of its error.
@@ -74,7 +82,25 @@ impl Ball {
     }
 }
 
-/// A number that is rounded, or a sine: right to a unit in the last place.
+/// cos and sin of a sum of angles: what rounding takes from the sum moves them by as much, and each is right to a unit
+/// in the last place for the sum that is taken.
+pub(super) fn cosine_and_sine(angles: &[f64]) -> [Ball; 2] {
+    let (mut sum, mut lost) = (0.0_f64, 0.0);
+    for angle in angles {
+        let next = sum + angle;
+        // What is added to 0, or adds 0, is exact.
+        if sum != 0.0 && *angle != 0.0 {
+            lost += f64::EPSILON / 2.0 * next.abs();
+        }
+        sum = next;
+    }
+    [sum.cos(), sum.sin()].map(|own| {
+        let own_error = f64::EPSILON * own.abs() + f64::MIN_POSITIVE;
+        Ball::real(own, (own_error + lost) * ABOVE)
+    })
+}
+
+/// A number that is rounded: right to a unit in the last place.
 pub(super) fn rounded(value: f64) -> Ball {
     Ball::real(value, f64::EPSILON * value.abs())
 }
@@ -89,6 +115,39 @@ pub(super) fn quotient(above: f64, below: f64) -> Ball {
 /// or imaginary, and the exact value would cost most of the time.
 fn above_norm(number: Complex<f64>) -> f64 {
     number.re.abs() + number.im.abs()
+}
+
+/// The arithmetic of balls, in which nothing is told from 0 that may be something else.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Balls;
+
+impl Arithmetic for Balls {
+    type Element = Ball;
+    type Error = Infallible;
+
+    fn zero(&self) -> Ball {
+        Ball::ZERO
+    }
+
+    fn one(&self) -> Ball {
+        Ball::ONE
+    }
+
+    fn is_zero(&self, a: &Ball) -> bool {
+        *a == Ball::ZERO
+    }
+
+    fn sum(&self, a: &Ball, b: &Ball) -> Result<Ball, Infallible> {
+        Ok(*a + *b)
+    }
+
+    fn negative(&self, a: &Ball) -> Ball {
+        -*a
+    }
+
+    fn product(&self, a: &Ball, b: &Ball) -> Result<Ball, Infallible> {
+        Ok(*a * *b)
+    }
 }
 
 impl Add for Ball {
@@ -133,6 +192,7 @@ impl Mul for Ball {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::algebra::interval::Intervals;
     use dashu_ratio::RBig as Rational;
     use proptest::prelude::*;
 
@@ -164,6 +224,24 @@ mod tests {
             prop_assert!(holds(ball, &re, &im));
             let size = (a.largest() * b.largest() + c.largest()) * b.largest();
             prop_assert!(ball.radius <= 1e-14 * size + 1e-300);
+        }
+
+        /// Of the sum of the doubles themselves, however large they are beside it.
+        #[test]
+        fn sines_of_sums_are_enclosed(
+            angles in prop::collection::vec(prop_oneof![-7.0..7.0_f64, -2000.0..2000.0_f64, Just(0.0), -1e-9..1e-9_f64], 1..4),
+        ) {
+            let sum = angles.iter().fold(Rational::ZERO, |sum, own| sum + exact(*own));
+            let intervals = Intervals::new(200);
+            let expected = intervals.cosine_and_sine(&sum.to_string().parse().expect("a number"));
+            for (ball, expected) in cosine_and_sine(&angles).iter().zip(expected) {
+                for bound in intervals.bounds(&expected) {
+                    let bound: Rational = bound.to_string().parse().expect("a number");
+                    prop_assert!(holds(*ball, &bound, &Rational::ZERO), "{ball:?} {angles:?}");
+                }
+                let size: f64 = angles.iter().map(|own| own.abs()).sum();
+                prop_assert!(ball.radius <= 1e-15 * (1.0 + size));
+            }
         }
     }
 }

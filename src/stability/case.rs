@@ -6,7 +6,7 @@ mod file;
 mod keys;
 
 use self::file::File;
-use self::keys::{Lines, check_keys, not_read};
+use self::keys::{Lines, SWEEP, check_keys, not_read};
 use super::error::StabilityError;
 use super::forces::Forces;
 use super::input::{InputError, Place, Remark};
@@ -229,8 +229,7 @@ impl Case {
             return Ok(());
         };
         let place = lines.place(&self.file, "sweep", "alpha_deg");
-        let help = "write alpha_deg = { from = 0, to = 180, step = 0.5 }, in degrees";
-        Err(InputError::new(place, what, help))
+        Err(InputError::new(place, what, SWEEP))
     }
 
     /// What is wrong with a parameter, by the names and units of a case file.

@@ -1,10 +1,11 @@
 //! A table of force coefficients against the angle of attack, as a wind tunnel gives it.
 
+mod cells;
 pub mod remarks;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
-use super::input::{InputError, Place, meant_among};
+use super::input::{InputError, Place, meant_among, quoted, shortened};
 
 /// A row of a table: C_D, C_L and C_M at an angle of attack in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,6 +33,9 @@ pub struct GivenSlopes {
 
 /// A coefficient table: at least four rows, finite, the angles increasing, within 360°.
 ///
+/// It goes round the circle if its last angle is its first one again, or one step short of it. Where they are a
+/// hundredth of their steps apart round the circle, as where angles were rounded, they are read as one angle.
+///
 /// ```
 /// use sextic::stability::coefficient_table::CoefficientTable;
 ///
@@ -48,6 +52,8 @@ pub struct CoefficientTable {
     file: String,
     rows: Vec<Row>,
     given_slopes: Vec<GivenSlopes>,
+    /// The first and the last angle as they are written, where they are read as one.
+    joined: Option<[f64; 2]>,
 }
 
 /// The columns of a table.
@@ -57,7 +63,10 @@ const COLUMNS: [&str; 4] = ["alpha_deg", "CL", "CD", "CM"];
 const SLOPES: [&str; 3] = ["dCL", "dCD", "dCM"];
 
 /// The fewest rows that make a curve with a slope.
-const FEWEST_ROWS: usize = 4;
+pub(super) const FEWEST_ROWS: usize = 4;
+
+/// What is closer to 360° than this, in degrees, is 360°.
+const WHOLE: f64 = 1e-9;
 
 /// Larger numbers than any that mean something, and far from where products of them overflow.
 const LARGEST: f64 = 1e30;
@@ -105,11 +114,14 @@ impl CoefficientTable {
             file: file.into(),
             rows: Vec::new(),
             given_slopes: columns.given_slopes(),
+            joined: None,
         };
         while let Some((line, record)) = next(file, text, &mut records)? {
             table.add(&columns, line, &record, separator)?;
         }
         table.check()?;
+        table.join_ends();
+        table.check_reach()?;
         Ok(table)
     }
 
@@ -128,47 +140,24 @@ impl CoefficientTable {
         &self.file
     }
 
-    /// Whether the table goes round: over 360°, or one step short of it.
-    pub fn is_circle(&self) -> bool {
-        let steps = self
-            .rows
-            .windows(2)
-            .map(|pair| pair[1].angle - pair[0].angle);
-        let longest = steps.fold(0.0, f64::max);
-        360.0 - self.reach() <= longest * (1.0 + 1e-9)
-    }
-
-    /// Whether the last angle is the first one again.
-    pub fn is_closed(&self) -> bool {
-        (360.0 - self.reach()).abs() < 1e-9
-    }
-
-    /// Whether the last row is at the angle of the first one, with other coefficients.
+    /// Whether the last row is at the angle of the first one, with other coefficients: by more than a thousandth of
+    /// what one of them varies by.
     pub fn has_a_jump_at_its_end(&self) -> bool {
-        let (first, last) = (self.rows[0], self.rows[self.rows.len() - 1]);
-        let pairs = [
-            (first.drag, last.drag),
-            (first.lift, last.lift),
-            (first.moment, last.moment),
-        ];
-        let differs = |(one, other): &(f64, f64)| (one - other).abs() > 1e-3 * self.size();
-        self.is_closed() && pairs.iter().any(differs)
+        let (first, last) = (&self.rows[0], &self.rows[self.rows.len() - 1]);
+        let columns: [fn(&Row) -> f64; 3] = [|row| row.drag, |row| row.lift, |row| row.moment];
+        let differs = |column: &fn(&Row) -> f64| {
+            (column(first) - column(last)).abs() > 1e-3 * self.span(column)
+        };
+        self.is_closed() && columns.iter().any(differs)
     }
 
-    /// The largest coefficient.
-    pub(super) fn size(&self) -> f64 {
-        let all = self
-            .rows
-            .iter()
-            .flat_map(|row| [row.drag, row.lift, row.moment]);
-        all.fold(0.0, |size, own| size.max(own.abs()))
-    }
-
-    fn reach(&self) -> f64 {
-        match (self.rows.first(), self.rows.last()) {
-            (Some(first), Some(last)) => last.angle - first.angle,
-            _ => 0.0,
-        }
+    /// From the least to the largest number of a column: the scale of what may be neglected in it.
+    pub(super) fn span(&self, column: impl Fn(&Row) -> f64) -> f64 {
+        let numbers = self.rows.iter().map(column);
+        let ends = numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], own| {
+            [least.min(own), most.max(own)]
+        });
+        ends[1] - ends[0]
     }
 
     fn add(
@@ -228,12 +217,16 @@ impl CoefficientTable {
                 return Err(InputError::new(place, what, "sort the rows by alpha_deg"));
             }
         }
-        if self.reach() > 360.0 + 1e-9 {
-            let what = format!("the angles go over {}°, more than the circle", self.reach());
-            let help = "keep 360° of them: the table is continued round the circle";
-            return Err(InputError::new(Place::file(file), what, help));
-        }
         Ok(())
+    }
+
+    fn check_reach(&self) -> Result<(), InputError> {
+        if self.reach() <= 360.0 + WHOLE {
+            return Ok(());
+        }
+        let what = format!("the angles go over {}°, more than the circle", self.reach());
+        let help = "keep 360° of them: the table is continued round the circle";
+        Err(InputError::new(Place::file(&self.file), what, help))
     }
 }
 
@@ -251,21 +244,25 @@ impl Columns {
         let known: Vec<&str> = COLUMNS.into_iter().chain(SLOPES).collect();
         for (position, name) in heading.iter().enumerate() {
             if heading.iter().take(position).any(|before| before == name) {
-                let what = format!("the column `{name}` is there twice");
+                let what = format!("the column `{}` is there twice", quoted(name));
                 return Err(InputError::new(place, what, "keep one of them"));
             }
             if !known.contains(&name) {
                 let (what, help) = if name.parse::<f64>().is_ok() {
-                    let what = format!("the first row begins its columns with a number, {name}");
+                    let number = quoted(name);
+                    let what = format!("the first row begins its columns with a number, {number}");
                     (what, "name the columns: alpha_deg,CL,CD,CM".to_string())
                 } else if ["alpha", "angle", "alpha_rad"].contains(&name.to_lowercase().as_str()) {
                     let help = "the angle is in degrees, in a column called alpha_deg";
-                    (format!("there is no column `{name}`"), help.to_string())
+                    (
+                        format!("there is no column `{}`", quoted(name)),
+                        help.to_string(),
+                    )
                 } else {
                     let is_there = |known: &&str| heading.iter().any(|own| own == *known);
                     let absent = known.iter().copied().filter(|own| !is_there(own));
                     let help = meant_among(&absent.collect::<Vec<_>>(), name, &known);
-                    (format!("there is no column `{name}`"), help)
+                    (format!("there is no column `{}`", quoted(name)), help)
                 };
                 return Err(InputError::new(place, what, help));
             }
@@ -303,7 +300,7 @@ impl Columns {
 /// A cell as a number; a comma in it is a decimal comma, since it separates no columns.
 fn number(place: &Place, column: &str, cell: &str) -> Result<f64, InputError> {
     let wrong = |help: &str| {
-        let what = format!("`{cell}` in the column {column} is no number");
+        let what = format!("`{}` in the column {column} is no number", quoted(cell));
         InputError::new(place.clone(), what, help)
     };
     let has_comma = cell.contains(',');
@@ -320,6 +317,7 @@ fn number(place: &Place, column: &str, cell: &str) -> Result<f64, InputError> {
     match text.parse::<f64>() {
         Ok(number) if number.abs() <= LARGEST => Ok(number),
         Ok(number) if number.is_finite() => {
+            let cell = quoted(cell);
             let what = format!("{cell} in the column {column} is too large to be computed with");
             let help = "coefficients are dimensionless, angles in degrees";
             Err(InputError::new(place.clone(), what, help))
@@ -348,7 +346,11 @@ fn next(
             Some(position) => Place::line(file, position.line() as usize),
             None => Place::file(file),
         };
-        InputError::new(place, error.to_string(), "a table is CSV in UTF-8")
+        InputError::new(
+            place,
+            shortened(&error.to_string()),
+            "a table is CSV in UTF-8",
+        )
     })?;
     Ok(record.map(|record| {
         let (line, byte) = record.position().map_or((1, 0), |position| {

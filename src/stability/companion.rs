@@ -5,22 +5,22 @@ use num_complex::Complex;
 use polynomial::Polynomial;
 use sextic_evaluators::characteristic_polynomial::{
     CharacteristicPolynomialAngles, CharacteristicPolynomialInputs,
-    characteristic_polynomial_with_bound,
+    characteristic_polynomial as evaluated,
 };
 
 use super::ball::Ball;
 use super::eigenvalue::{Spectrum, best_spectrum};
 use super::enclosure::error_bounds;
 use super::error::StabilityError;
-use super::forces::{Forces, derived};
+use super::forces::Forces;
 use super::model::Model;
 use super::schur::approximate_eigenvalues;
 
 /// The eigenvalues as roots of the characteristic polynomial, Eq. (19), by its companion matrix.
 ///
 /// With all coordinates free, force coefficients given and no aerodynamic stiffness, those of the polynomial
-/// come from the generated evaluator, otherwise from the determinant of λ²M + λ(C_s + C_a) + K + K_a. Their
-/// rounding moves roots that lie δ apart by about ε/δ² and more, relatively; the errors that are given count
+/// come from the generated evaluator, otherwise from the determinant of λ²M + λ(C_s + C_a) + K + K_a, which bounds
+/// their errors in either case. Rounding moves roots that lie δ apart by about ε/δ² and more, relatively; the errors that are given count
 /// that.
 ///
 /// At most 8 Schur decompositions of at most 200 iterations, and as many times 36 Taylor expansions.
@@ -105,11 +105,19 @@ fn coefficients(model: &Model) -> [Ball; 7] {
         C_M: c.moment,
         dC_M: c.moment_slope,
     };
-    let out = characteristic_polynomial_with_bound(&CharacteristicPolynomialInputs::from(&angles));
-    [
-        out.c_0, out.c_1, out.c_2, out.c_3, out.c_4, out.c_5, out.c_6,
-    ]
-    .map(derived)
+    let out = evaluated(&CharacteristicPolynomialInputs::from(&angles));
+    let values = [out.c_0, out.c_1, out.c_2, out.c_3, out.c_4, out.c_5];
+    let determinant = model.taylor(Ball::ZERO);
+    let leading = determinant[6];
+    // The determinant has bounds that count the sums of angles and their sines.
+    let apart = |power: usize| {
+        let apart = Ball::exactly(values[power]) * leading + -determinant[power];
+        apart.largest() / leading.smallest() * (1.0 + 8.0 * f64::EPSILON)
+    };
+    std::array::from_fn(|power| match values.get(power) {
+        Some(&value) => Ball::real(value, apart(power)),
+        None => Ball::ONE,
+    })
 }
 
 /// The coefficients of p(c + μ) in powers of μ, by repeated division by μ (Horner, Taylor).

@@ -29,12 +29,14 @@ pub struct Comparison {
     pub case: Case,
     /// The angles in order, with the answers of all methods.
     pub points: Vec<Point>,
-    /// Where the section gallops for certain.
+    /// Where the section gallops or diverges for certain.
     pub unstable: Vec<UnstableRange>,
     /// Where it is neither stable nor unstable for certain.
     pub undecided: Vec<AngleRange>,
     /// How each of the other methods agrees with the state matrix.
     pub agreements: Vec<Agreement>,
+    /// How the table is read, in words.
+    pub reading: String,
     /// What is odd about the input.
     pub remarks: Vec<Remark>,
 }
@@ -99,6 +101,12 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
         undecided: range::undecided(&points),
         agreements: agreement::agreements(&points),
         points,
+        reading: format!(
+            "{}: {}; {}",
+            table.file(),
+            table.reading(),
+            case.interpolation
+        ),
         remarks,
     })
 }

@@ -2,12 +2,10 @@
 
 use rayon::prelude::*;
 
-use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::budget::{Budget, Exhausted};
 use crate::algebra::interval::Intervals;
 use crate::algebra::number::Rational;
-use crate::algebra::trigonometric_sum::TrigonometricSums;
-use crate::algebra::univariate::Univariate;
+use crate::algebra::trigonometric_sum::{TrigonometricSum, TrigonometricSums};
 
 use super::case::Case;
 use super::coefficient_table::CoefficientTable;
@@ -15,6 +13,7 @@ use super::comparison::section_at;
 use super::exact_section::{ExactSection, InSpeed};
 use super::input::InputError;
 use super::interpolation::CoefficientCurves;
+use super::neutral::without_pairs;
 use super::speed_search::{Found, LOWEST, Part, parts};
 
 /// What is certain of a section at all wind speeds of a range.
@@ -61,7 +60,8 @@ impl SpeedRange {
 }
 
 /// A wind speed at which stability changes: a simple root of Hurwitz' last determinant but one, or of the
-/// determinant of the stiffness.
+/// determinant of the stiffness; or what these leave open, if less than 2⁻³² of itself, between speeds at which
+/// stability differs for certain, so that it changes within.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CriticalSpeed {
     /// The speed, in m/s.
@@ -79,71 +79,112 @@ pub struct Speeds {
     pub ranges: Vec<SpeedRange>,
     /// The speeds at which stability changes for certain, in order, each between two ranges.
     pub critical: Vec<CriticalSpeed>,
-    /// Whether a motion neither grows nor dies out at any speed, exactly: then nothing is stable.
+    /// Whether a motion neither grows nor dies out at any speed, exactly: then nothing is stable, and what is called
+    /// undecided between critical speeds has no motion that grows.
     pub is_neutral: bool,
 }
 
 impl Speeds {
     /// Ranges and critical speeds by what is known of each part of the speeds up to a highest one.
     fn new(parts: &[Part], highest: f64, is_neutral: bool) -> Self {
-        let found = |own: &Part| match own.found {
-            Found::Certain(Stability::Stable) if is_neutral => Found::Certain(Stability::Undecided),
-            found => found,
-        };
-        let neighbour = |place: Option<usize>| match parts.get(place?).map(found) {
-            Some(Found::Certain(stability)) => Some(stability),
-            _ => None,
-        };
-        // A part is a multiple of a power of 2 of 41 digits, so that only the product is rounded.
-        let speed = |part: &Rational| part.to_f64().value() * highest;
         let mut speeds = Speeds {
             ranges: Vec::new(),
             critical: Vec::new(),
             is_neutral,
         };
-        let mut is_continued = false;
-        for (place, own) in parts.iter().enumerate() {
-            let [low, high] = [speed(&own.from), speed(&own.to)];
-            let stability = match found(own) {
-                Found::Certain(stability) => stability,
-                Found::Change([below, above]) => {
-                    let neighbours = [place.checked_sub(1), place.checked_add(1)].map(neighbour);
-                    if neighbours == [Some(below), Some(above)] {
-                        speeds.critical.push(CriticalSpeed {
-                            speed: (low + high) / 2.0,
-                            error: (high.next_up() - low) / 2.0 + high * f64::EPSILON,
-                            becomes: above,
-                        });
-                        is_continued = false;
-                        continue;
-                    }
-                    Stability::Undecided
-                }
-            };
-            if stability == Stability::Undecided && own.is_negligible() {
-                is_continued = false;
-                continue;
+        let mut below = None;
+        let mut rest = parts;
+        while !rest.is_empty() {
+            let count = rest
+                .iter()
+                .take_while(|own| own.certain().is_none())
+                .count();
+            let (open, others) = rest.split_at(count);
+            let above = others.first().and_then(Part::certain);
+            match changed(open, below, above) {
+                Some(above) => speeds.add_critical(open, highest, above),
+                None => open.iter().for_each(|own| speeds.add_open(own, highest)),
             }
-            let to = match own.to == Rational::ONE {
-                true => highest,
-                false => high.next_down(),
-            };
-            match speeds.ranges.last_mut() {
-                Some(last) if is_continued && last.stability == stability => last.to = to,
-                _ => speeds.ranges.push(SpeedRange {
-                    from: match own.from.is_zero() {
-                        true => 0.0,
-                        false => low.next_up(),
-                    },
-                    to,
-                    stability,
-                }),
+            if let (Some(own), Some(stability)) = (others.first(), above) {
+                let is_continued = count == 0 && below == Some(stability);
+                speeds.add(own, highest, stability, is_continued);
             }
-            is_continued = true;
+            (below, rest) = (above, others.get(1..).unwrap_or_default());
         }
         speeds
     }
+
+    /// Where a motion is neutral nothing is stable.
+    fn shown(&self, stability: Stability) -> Stability {
+        match stability {
+            Stability::Stable if self.is_neutral => Stability::Undecided,
+            other => other,
+        }
+    }
+
+    fn add_critical(&mut self, parts: &[Part], highest: f64, above: Stability) {
+        let (Some(first), Some(last)) = (parts.first(), parts.last()) else {
+            return;
+        };
+        let (low, high) = (speed(&first.from, highest), speed(&last.to, highest));
+        self.critical.push(CriticalSpeed {
+            speed: (low + high) / 2.0,
+            error: (high.next_up() - low) / 2.0 + high * f64::EPSILON,
+            becomes: self.shown(above),
+        });
+    }
+
+    fn add_open(&mut self, part: &Part, highest: f64) {
+        if !part.is_negligible() {
+            let is_continued = self.ranges.last().is_some_and(|last| {
+                last.stability == Stability::Undecided
+                    && last.to.next_up() == speed(&part.from, highest)
+            });
+            self.add(part, highest, Stability::Undecided, is_continued);
+        }
+    }
+
+    fn add(&mut self, part: &Part, highest: f64, stability: Stability, is_continued: bool) {
+        let stability = self.shown(stability);
+        let to = match part.to == Rational::ONE {
+            true => highest,
+            false => speed(&part.to, highest).next_down(),
+        };
+        let from = match part.from.is_zero() {
+            true => 0.0,
+            false => speed(&part.from, highest).next_up(),
+        };
+        match self.ranges.last_mut() {
+            Some(last) if is_continued && last.stability == stability => last.to = to,
+            _ => self.ranges.push(SpeedRange {
+                from,
+                to,
+                stability,
+            }),
+        }
+    }
 }
+
+/// A part is a multiple of a power of 2 of 41 digits, so that only the product is rounded.
+fn speed(part: &Rational, highest: f64) -> f64 {
+    part.to_f64().value() * highest
+}
+
+/// What the section is above some parts that are open, if stability changes within: what is below and above
+/// differs, and they are so small together that they enclose the change, or hold just one.
+fn changed(open: &[Part], below: Option<Stability>, above: Option<Stability>) -> Option<Stability> {
+    let ([first, ..], Some(below), Some(above)) = (open, below, above) else {
+        return None;
+    };
+    let is_one = matches!(open, [only] if only.found == Found::Change([below, above]));
+    let last = open.last()?;
+    let width = &last.to - &first.from;
+    let is_small = width * Rational::from(NARROW) <= last.to;
+    (below != above && (is_one || is_small)).then_some(above)
+}
+
+/// Speeds that lie within this share of themselves are an enclosure of one.
+const NARROW: u64 = 1 << 32;
 
 /// The digits of the enclosures; more where fewer leave something open.
 const DIGITS: [usize; 2] = [256, 1024];
@@ -176,43 +217,38 @@ pub fn speeds(section: &ExactSection, highest: f64) -> Speeds {
         return found;
     };
     let stiffness = polynomial.first().cloned().unwrap_or_default();
-    let Ok((polynomial, is_neutral)) = without_neutral_pairs(section, polynomial, &sums) else {
+    let Ok((polynomial, is_neutral)) = without_neutral_pairs(section, polynomial, &unit, &sums)
+    else {
         return found;
     };
     for bits in DIGITS {
         let parts = parts(&polynomial, &stiffness, &Intervals::new(bits));
         found = Speeds::new(&parts, highest, is_neutral);
-        let is_open = |own: &SpeedRange| own.stability == Stability::Undecided;
-        if is_neutral || !found.ranges.iter().any(is_open) {
+        let is_open = |own: &Part| own.certain().is_none() && !own.is_negligible();
+        if !parts.iter().any(is_open) {
             break;
         }
     }
     found
 }
 
-/// The characteristic polynomial in powers of λ and of the speed, divided by λ² + ω² as often as a
-/// natural frequency ω allows, and whether a motion is neutral at all speeds: one of these, or all of them
-/// where there is no damping at all and the frequencies do not depend on the speed.
+/// The characteristic polynomial in powers of λ and of the speed without pairs of imaginary roots, and whether there
+/// are any at all speeds: a divisor λ² + ν, or all of it where there is no damping at all and the frequencies do not
+/// depend on the speed.
 fn without_neutral_pairs(
     section: &ExactSection,
-    mut polynomial: Vec<InSpeed>,
+    polynomial: Vec<InSpeed>,
+    unit: &Rational,
     sums: &TrigonometricSums,
 ) -> Result<(Vec<InSpeed>, bool), Exhausted> {
-    let in_speed = Univariate(sums);
-    let in_lambda = Univariate(&in_speed);
     let is_undamped = polynomial.iter().skip(1).step_by(2).all(Vec::is_empty);
-    let mut is_neutral = is_undamped && polynomial.iter().all(|powers| powers.len() <= 1);
-    for pair in section.natural_pairs() {
-        let powers = [&pair[0], &sums.zero(), &pair[1]];
-        let pair: Vec<InSpeed> = powers
-            .map(|own| in_speed.polynomial(vec![own.clone()]))
-            .to_vec();
-        let (quotient, rest) = in_lambda.pseudo_division(&polynomial, &pair)?;
-        if rest.is_empty() {
-            (polynomial, is_neutral) = (quotient, true);
-        }
-    }
-    Ok((polynomial, is_neutral))
+    let is_still = is_undamped && polynomial.iter().all(|powers| powers.len() <= 1);
+    let constant = |square: Rational| vec![TrigonometricSum::from(square)];
+    let squares = section.natural_squares().into_iter().map(constant);
+    let turn = section.square_of_the_turn(unit, sums)?;
+    let squares: Vec<InSpeed> = squares.chain(turn).collect();
+    let (polynomial, count) = without_pairs(polynomial, &squares, sums)?;
+    Ok((polynomial, is_still || count > 0))
 }
 
 /// The speeds of a case at all its angles, in degrees.
@@ -230,5 +266,107 @@ pub fn speeds_of(
         let section = section_at(case, table, &curves, angle)?;
         Ok((angle, speeds(&ExactSection::from(&section), highest)))
     };
-    case.angles.values().into_par_iter().map(at).collect()
+    let found: Vec<Result<_, InputError>> = case.angles.values().into_par_iter().map(at).collect();
+    // The first error, not the one that was found first.
+    found.into_iter().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Parts that begin where the one before ends, each with its end in units of 2⁻⁴⁰.
+    fn found(parts: &[(u64, Found)], is_neutral: bool) -> Speeds {
+        let mut from = Rational::ZERO;
+        let part = |&(to, found): &(u64, Found)| {
+            let to = Rational::from(to) / Rational::from(1_u64 << 40);
+            let part = Part {
+                from: from.clone(),
+                to: to.clone(),
+                found,
+            };
+            from = to;
+            part
+        };
+        let parts: Vec<Part> = parts.iter().map(part).collect();
+        Speeds::new(&parts, 1.0, is_neutral)
+    }
+
+    #[test]
+    fn what_is_open_between_stable_and_unstable_holds_a_critical_speed() {
+        use Stability::{Divergent, Stable, Undecided, Unstable};
+        let certain = Found::Certain;
+        let (half, all) = (1_u64 << 39, 1_u64 << 40);
+        let middle = [
+            (half + 1, certain(Undecided)),
+            (half + 2, Found::Change([Unstable, Stable])),
+        ];
+        for (parts, is_neutral, ranges, becomes) in [
+            // What the determinants show, and what they leave open: one part or several.
+            (
+                vec![(half + 1, Found::Change([Stable, Unstable]))],
+                false,
+                vec![Stable, Unstable],
+                vec![Unstable],
+            ),
+            (
+                vec![(half + 1, certain(Undecided))],
+                false,
+                vec![Stable, Unstable],
+                vec![Unstable],
+            ),
+            (
+                middle.to_vec(),
+                false,
+                vec![Stable, Unstable],
+                vec![Unstable],
+            ),
+            (
+                middle.to_vec(),
+                true,
+                vec![Undecided, Unstable],
+                vec![Unstable],
+            ),
+            // As many speeds as these enclose nothing.
+            (
+                vec![(half + half / 2, certain(Undecided))],
+                false,
+                vec![Stable, Undecided, Unstable],
+                vec![],
+            ),
+        ] {
+            let parts = [
+                vec![(half, certain(Stable))],
+                parts,
+                vec![(all, certain(Unstable))],
+            ]
+            .concat();
+            let speeds = found(&parts, is_neutral);
+            let kinds: Vec<_> = speeds.ranges.iter().map(|own| own.stability).collect();
+            let changes: Vec<_> = speeds.critical.iter().map(|own| own.becomes).collect();
+            assert_eq!((kinds, changes), (ranges, becomes), "{parts:?}");
+            for own in &speeds.critical {
+                assert!(
+                    (own.speed - 0.5).abs() <= own.error && own.error < 1e-11,
+                    "{own:?}"
+                );
+            }
+        }
+        // Where the same is on both sides nothing need change.
+        let parts = [
+            (half, certain(Stable)),
+            (half + 1, certain(Undecided)),
+            (all, certain(Stable)),
+        ];
+        let speeds = found(&parts, false);
+        assert_eq!(speeds.ranges.len(), 3);
+        assert!(speeds.critical.is_empty());
+        // A change that is proven to be one, however wide.
+        let parts = [
+            (half, certain(Unstable)),
+            (half + half / 2, Found::Change([Unstable, Divergent])),
+            (all, certain(Divergent)),
+        ];
+        assert_eq!(found(&parts, false).critical.len(), 1);
+    }
 }

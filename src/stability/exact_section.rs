@@ -13,7 +13,8 @@ use crate::algebra::univariate::Univariate;
 use super::coordinate::Coordinate;
 use super::error::StabilityError;
 use super::forces::Forces;
-use super::section::{Coefficients, Parameters, Section};
+use super::scaled_damping::{Ingredients, scaled_damping};
+use super::section::{Parameters, Section};
 
 /// The parameters of a section as exact numbers: possible ones, as for a [`Section`].
 ///
@@ -58,6 +59,22 @@ impl ExactSection {
         &self.0
     }
 
+    /// Whether the wind turns the section over: static divergence, where the determinant of the stiffness is below 0,
+    /// so that a real eigenvalue is above 0. It is that of the turn alone, m r² ω_θ² − ρD²U²C_M′/2, since stiffness
+    /// couples nothing to the turn (`derivations/extensions.md`, section 3). What grows otherwise gallops, whether it
+    /// oscillates or not.
+    pub fn diverges(&self) -> bool {
+        let p = &self.0;
+        let (Forces::Coefficients(c), true) = (&p.forces, p.aerodynamic_stiffness) else {
+            return false;
+        };
+        let radius = &p.radius_of_gyration * &p.natural_frequencies[Coordinate::Theta.index()];
+        let own = Rational::from(2) * &p.mass * &radius * &radius;
+        let length = &p.reference_dimension * &p.wind_speed;
+        let turning = &p.air_density * &length * &length * &c.moment_slope;
+        p.free.as_slice().contains(&Coordinate::Theta) && own < turning
+    }
+
     /// The unit of frequency: a power of 2 near the largest natural frequency of a free coordinate.
     pub(super) fn frequency_unit(&self) -> Rational {
         let free = self.0.free.as_slice().iter();
@@ -68,17 +85,56 @@ impl ExactSection {
         power(above.bit_len()) / power(below.bit_len())
     }
 
-    /// λ² + ω² for each natural frequency ω, in powers of λ² over the square of
-    /// [the unit](Self::frequency_unit): divisors of the characteristic polynomial where a motion is
-    /// neither damped nor coupled.
-    pub(super) fn natural_pairs(&self) -> Vec<Vec<Sum>> {
-        let unit = self.frequency_unit();
-        let free = self.0.free.as_slice().iter();
-        let pair = |own: &Coordinate| {
-            let omega = &self.0.natural_frequencies[own.index()] / &unit;
-            vec![Sum::from(&omega * &omega), Sum::from(Rational::ONE)]
-        };
-        free.map(pair).collect()
+    /// ν for the divisors λ² + ν of the characteristic polynomial that are likely where a motion is not damped, over
+    /// the square of [the unit](Self::frequency_unit): ω² for a natural frequency ω, and ω²/(1 ± e), with the
+    /// eccentricity e, for motions that frequencies of one size couple.
+    pub(super) fn natural_squares(&self) -> Vec<Rational> {
+        let (unit, one) = (self.frequency_unit(), Rational::ONE);
+        let e = &self.0.mass_centre_distance / &self.0.radius_of_gyration;
+        let free = self.0.free.as_slice();
+        let is_coupled = free.len() > 1 && free.contains(&Coordinate::Theta) && !e.is_zero();
+        let mut squares = Vec::new();
+        for coordinate in free {
+            let omega = &self.0.natural_frequencies[coordinate.index()] / &unit;
+            let own = &omega * &omega;
+            if is_coupled {
+                squares.extend([&one + &e, &one - &e].map(|mass| &own / mass));
+            }
+            squares.push(own);
+        }
+        squares.sort();
+        squares.dedup();
+        squares
+    }
+
+    /// The square of the frequency of the turn alone, ω_θ² + K_a/(m r²), in powers of U over `speed_unit` and over
+    /// the square of [the unit](Self::frequency_unit): λ² and this are a divisor where nothing damps the turn and
+    /// inertia does not couple it. `None` without aerodynamic stiffness.
+    pub(super) fn square_of_the_turn(
+        &self,
+        speed_unit: &Rational,
+        sums: &TrigonometricSums,
+    ) -> Result<Option<InSpeed>, Exhausted> {
+        let p = &self.0;
+        if !p.aerodynamic_stiffness || !p.free.as_slice().contains(&Coordinate::Theta) {
+            return Ok(None);
+        }
+        let omega = &p.natural_frequencies[Coordinate::Theta.index()] / self.frequency_unit();
+        let [_, _, stiffness] = self.turn_stiffness(sums)?;
+        let square = vec![
+            Sum::from(&omega * &omega),
+            Sum::default(),
+            stiffness.scaled(&self.pressure(speed_unit)),
+        ];
+        Ok(Some(Univariate(sums).polynomial(square)))
+    }
+
+    /// ρDU²/(2mr), for the turn rθ, at `speed_unit` and over the square of the unit of frequency.
+    fn pressure(&self, speed_unit: &Rational) -> Rational {
+        let (p, unit) = (&self.0, self.frequency_unit());
+        let speed = speed_unit / unit;
+        &p.air_density * &p.reference_dimension * &speed * &speed
+            / (Rational::from(2) * &p.mass * &p.radius_of_gyration)
     }
 
     /// |λ²M + λ(C_s + C_a) + K + K_a| over powers of m and r, in powers of λ over
@@ -101,7 +157,7 @@ impl ExactSection {
         let wind = &p.air_density * &p.reference_dimension * speed_unit / (&two * &p.mass * &unit);
         let scaled_damping = self.scaled_damping(sums)?;
         let turn_stiffness = self.turn_stiffness(sums)?;
-        let pressure = &wind * speed_unit / (&p.radius_of_gyration * &unit);
+        let pressure = self.pressure(speed_unit);
         let eccentricity = &p.mass_centre_distance / &p.radius_of_gyration;
         let angle = &p.mass_centre_angle + &p.attitude;
         let coupling = [Sum::sine(&angle), Sum::cosine(&angle)];
@@ -174,92 +230,25 @@ impl ExactSection {
             }
             Forces::Coefficients(c) => c,
         };
-        let forces = force_factor(c, &(&p.reference_dimension / &p.radius_of_gyration));
         let lever = &p.aerodynamic_centre_distance / &p.radius_of_gyration;
-        let centre = &p.attitude + &p.aerodynamic_centre_angle;
-        let winds = wind_factor(&p.wind_angle, &centre, &lever, sums)?;
-        let mut product = [(); 3].map(|()| [(); 3].map(|()| sums.zero()));
-        for (i, row) in forces.iter().enumerate() {
-            for (factor, wind) in row.iter().zip(&winds) {
-                for (j, own) in wind.iter().enumerate() {
-                    product[i][j] = sums.sum(&product[i][j], &own.scaled(factor))?;
-                }
-            }
-        }
-        Ok(product)
+        let centre = &p.wind_angle + &p.attitude + &p.aerodynamic_centre_angle;
+        let number = |own: &Rational| Sum::from(own.clone());
+        let of = Ingredients {
+            coefficients: c.map(number),
+            kappa: Sum::from(&p.reference_dimension / &p.radius_of_gyration),
+            wind: [Sum::cosine(&p.wind_angle), Sum::sine(&p.wind_angle)],
+            centre: [Sum::cosine(&centre), Sum::sine(&centre)].map(|own| own.scaled(&lever)),
+        };
+        scaled_damping(&of, sums)
     }
 }
 
-/// The left factor of S_a in Eq. (18), with κ = D/r.
-fn force_factor(c: &Coefficients<Rational>, kappa: &Rational) -> [[Rational; 6]; 3] {
-    let (twice, zero) = (|own: &Rational| own + own, Rational::ZERO);
-    let (normal, along) = (&c.lift_slope + &c.drag, &c.lift - &c.drag_slope);
-    let none = || zero.clone();
-    [
-        [
-            twice(&c.drag),
-            twice(&c.lift),
-            normal.clone(),
-            along.clone(),
-            none(),
-            none(),
-        ],
-        [
-            twice(&c.lift),
-            -twice(&c.drag),
-            along,
-            -normal,
-            none(),
-            none(),
-        ],
-        [
-            none(),
-            none(),
-            none(),
-            none(),
-            kappa * twice(&c.moment),
-            kappa * &c.moment_slope,
-        ],
-    ]
-}
-
-/// The right factor of S_a in Eq. (18), with ε = L_a/r and the angle θ_0 + γ_r of A.
-fn wind_factor(
-    wind: &Rational,
-    centre: &Rational,
-    epsilon: &Rational,
-    sums: &TrigonometricSums,
-) -> Result<[[Sum; 3]; 6], Exhausted> {
-    let (c, s) = (Sum::cosine(wind), Sum::sine(wind));
-    let angle = wind + centre;
-    let (cosine, sine) = (Sum::cosine(&angle), Sum::sine(&angle));
-    let (cosine, sine) = (cosine.scaled(epsilon), sine.scaled(epsilon));
-    let minus = |own: &Sum| sums.negative(own);
-    let times = |one: &Sum, other: &Sum| sums.product(one, other);
-    let (cc, cs, ss) = (times(&c, &c)?, times(&c, &s)?, times(&s, &s)?);
-    Ok([
-        [cc.clone(), cs.clone(), times(&sine, &c)?],
-        [minus(&cs), minus(&ss), minus(&times(&sine, &s)?)],
-        [ss, minus(&cs), minus(&times(&cosine, &s)?)],
-        [cs, minus(&cc), minus(&times(&cosine, &c)?)],
-        [c.clone(), s.clone(), sine],
-        [minus(&s), c, cosine],
-    ])
-}
-
 impl From<&Section> for ExactSection {
-    /// The doubles of a section as exact numbers; of α_g + θ_0 and γ_r + θ_0 the sum in doubles, which is
-    /// what sines are taken of everywhere else.
+    /// The doubles of a section as exact numbers.
     fn from(section: &Section) -> Self {
-        let p = section.parameters();
         // Parameters of a section are finite.
         let exact = |own: &f64| Rational::try_from(*own).unwrap_or_default();
-        let beside = |angle: f64| exact(&(angle + p.attitude)) - exact(&p.attitude);
-        ExactSection(Parameters {
-            mass_centre_angle: beside(p.mass_centre_angle),
-            aerodynamic_centre_angle: beside(p.aerodynamic_centre_angle),
-            ..p.map(exact)
-        })
+        ExactSection(section.parameters().map(exact))
     }
 }
 
@@ -268,6 +257,7 @@ mod tests {
     use super::*;
     use crate::algebra::budget::Budget;
     use crate::algebra::interval::Intervals;
+    use crate::stability::section::Coefficients;
     use proptest::prelude::*;
 
     proptest! {
@@ -275,7 +265,7 @@ mod tests {
         #[test]
         fn the_forces_are_those_of_the_doubles(
             c in prop::array::uniform6(-3.0..3.0f64),
-            angles in prop::array::uniform3(-7.0..7.0f64),
+            angles in prop::array::uniform3(prop_oneof![-7.0..7.0f64, -1000.0..1000.0f64]),
             lever in 0.0..2.0f64,
         ) {
             let parameters = Parameters {

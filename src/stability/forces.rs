@@ -2,11 +2,11 @@
 
 use sextic_evaluators::aerodynamic_damping::{
     AerodynamicDampingAngles, AerodynamicDampingInputs, AerodynamicDampingOutputs,
-    aerodynamic_damping, aerodynamic_damping_with_bound,
+    aerodynamic_damping,
 };
-use sextic_evaluators::bounded::Bounded;
 
-use super::ball::{Ball, quotient, rounded};
+use super::ball::{Ball, Balls, cosine_and_sine, quotient};
+use super::scaled_damping::{Ingredients, scaled_damping};
 use super::section::{Coefficients, Section};
 
 /// What is known of the forces of the wind.
@@ -50,14 +50,7 @@ impl<T> Forces<T> {
     /// The same in other numbers.
     pub(super) fn map<U>(&self, number: &impl Fn(&T) -> U) -> Forces<U> {
         match self {
-            Forces::Coefficients(c) => Forces::Coefficients(Coefficients {
-                drag: number(&c.drag),
-                lift: number(&c.lift),
-                moment: number(&c.moment),
-                drag_slope: number(&c.drag_slope),
-                lift_slope: number(&c.lift_slope),
-                moment_slope: number(&c.moment_slope),
-            }),
+            Forces::Coefficients(c) => Forces::Coefficients(c.map(number)),
             Forces::ScaledDamping(rows) => {
                 Forces::ScaledDamping(rows.each_ref().map(|row| row.each_ref().map(number)))
             }
@@ -88,14 +81,23 @@ impl Section {
         }
     }
 
-    /// S_a with bounds of its rounding.
+    /// S_a with bounds of all rounding, that of the angles' sums and of their sines included.
     pub(super) fn scaled_damping_with_bound(&self) -> [[Ball; 3]; 3] {
-        match self.parameters().forces {
-            Forces::ScaledDamping(matrix) => matrix.map(|row| row.map(|own| Ball::real(own, 0.0))),
-            Forces::Coefficients(c) => {
-                rows(aerodynamic_damping_with_bound(&inputs(self, c))).map(|row| row.map(derived))
-            }
-        }
+        let p = self.parameters();
+        let c = match &p.forces {
+            Forces::ScaledDamping(rows) => return rows.map(|row| row.map(Ball::exactly)),
+            Forces::Coefficients(c) => c,
+        };
+        let lever = quotient(p.aerodynamic_centre_distance, p.radius_of_gyration);
+        let centre = [p.attitude, p.aerodynamic_centre_angle, p.wind_angle];
+        let of = Ingredients {
+            coefficients: c.map(|own| Ball::exactly(*own)),
+            kappa: quotient(p.reference_dimension, p.radius_of_gyration),
+            wind: cosine_and_sine(&[p.wind_angle]),
+            centre: cosine_and_sine(&centre).map(|own| lever * own),
+        };
+        let Ok(matrix) = scaled_damping(&of, &Balls);
+        matrix
     }
 
     /// The column of θ of −∂F/∂(x, y, θ) over ρDU²/2, for the forces on x, y and rθ, with bounds of its
@@ -110,9 +112,8 @@ impl Section {
         let (Forces::Coefficients(c), true) = (p.forces, p.aerodynamic_stiffness) else {
             return None;
         };
-        let [drag, lift, moment] =
-            [c.drag_slope, c.lift_slope, c.moment_slope].map(|slope| Ball::real(slope, 0.0));
-        let (sin, cos) = (rounded(p.wind_angle.sin()), rounded(p.wind_angle.cos()));
+        let [drag, lift, moment] = [c.drag_slope, c.lift_slope, c.moment_slope].map(Ball::exactly);
+        let [cos, sin] = cosine_and_sine(&[p.wind_angle]);
         let kappa = quotient(p.reference_dimension, p.radius_of_gyration);
         Some([
             lift * sin + -(drag * cos),
@@ -166,15 +167,4 @@ fn rows<T>(s: AerodynamicDampingOutputs<T>) -> [[T; 3]; 3] {
         [s.S_yx, s.S_yy, s.S_yt],
         [s.S_tx, s.S_ty, s.S_tt],
     ]
-}
-
-/// What a generated evaluator gives, with a bound that counts the rounding of sines and cosines, a unit in
-/// the last place of each: they enter as factors, and each product with one adds half a unit to the bound of
-/// the evaluator, a product of two of them half a unit for both. So the sines add at most four times that
-/// bound, and once more where a sine alone is a result.
-pub(super) fn derived(value: Bounded) -> Ball {
-    Ball::real(
-        value.value,
-        8.0 * value.error + 4.0 * f64::EPSILON * value.value.abs(),
-    )
 }

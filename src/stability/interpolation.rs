@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::Deserialize;
 
-use super::coefficient_table::{CoefficientTable, Row};
+use super::coefficient_table::{CoefficientTable, FEWEST_ROWS, Row};
 use super::section::Coefficients;
 use super::spline::{CubicSpline, Ends, cell};
 
@@ -19,23 +19,39 @@ pub enum Interpolation {
     Cubic,
 }
 
+impl fmt::Display for Interpolation {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Interpolation::Linear => "straight lines between them",
+            Interpolation::Cubic => "cubic splines between them",
+        })
+    }
+}
+
 /// An angle that a table does not reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutsideTable {
     /// The angle, in degrees.
     pub angle: f64,
-    /// The first and the last angle of the table, in degrees.
+    /// Where the table ends and begins again around the angle, or its first and last angle, in degrees.
     pub reach: [f64; 2],
+    /// Whether the angle is within a hole.
+    pub is_in_hole: bool,
 }
 
 impl fmt::Display for OutsideTable {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [first, last] = self.reach;
-        write!(
-            formatter,
-            "the angle {}° is outside of the table, which goes from {first}° to {last}°",
-            self.angle
-        )
+        let (angle, [first, last]) = (self.angle, self.reach);
+        match self.is_in_hole {
+            true => write!(
+                formatter,
+                "the angle {angle}° is in a hole of the table, between {first}° and {last}°: nothing is known there"
+            ),
+            false => write!(
+                formatter,
+                "the angle {angle}° is outside of the table, which goes from {first}° to {last}°"
+            ),
+        }
     }
 }
 
@@ -44,8 +60,19 @@ impl std::error::Error for OutsideTable {}
 /// Curves of C_D, C_L and C_M through a table.
 #[derive(Clone, Debug)]
 pub struct CoefficientCurves {
+    /// The angles of the table.
     angles: Vec<f64>,
     is_circle: bool,
+    /// Whether one piece is the circle.
+    is_whole: bool,
+    /// Between holes, in order.
+    pieces: Vec<Piece>,
+}
+
+/// Curves without a hole.
+#[derive(Clone, Debug)]
+struct Piece {
+    angles: Vec<f64>,
     /// C_D, C_L, C_M.
     curves: [Curve; 3],
 }
@@ -57,65 +84,67 @@ enum Curve {
 }
 
 impl CoefficientCurves {
-    /// Curves through a table: linear in its length.
+    /// Curves through a table: linear in its length, but for sorting the widths of its cells.
+    ///
+    /// Nothing is drawn across a [hole](CoefficientTable::holes): the rows between two of them make a curve of
+    /// their own if there are at least four.
     pub fn new(table: &CoefficientTable, interpolation: Interpolation) -> Self {
         let mut rows = table.rows().to_vec();
+        let is_circle = table.is_circle();
         // A table that stops one step short of the circle is closed with its first row.
-        if table.is_circle() && !table.is_closed() {
+        if is_circle && !table.is_closed() {
             let first = rows[0];
             rows.push(Row {
                 angle: first.angle + 360.0,
                 ..first
             });
         }
-        let angles: Vec<f64> = rows.iter().map(|row| row.angle).collect();
-        let ends = if table.is_circle() && !table.has_a_jump_at_its_end() {
-            Ends::Periodic
-        } else {
-            Ends::NotAKnot
+        let angles = rows.iter().map(|row| row.angle).collect();
+        let mut holes = table.holes();
+        let goes_on = is_circle && !table.has_a_jump_at_its_end();
+        let is_whole = goes_on && holes.is_empty();
+        if let (true, Some(&hole)) = (goes_on, holes.first()) {
+            rows = behind(hole, &rows);
+            // The first one lies beyond the last row now.
+            holes = holes[1..].iter().map(|own| own - hole - 1).collect();
+        }
+        let ends = match is_whole {
+            true => Ends::Periodic,
+            false => Ends::NotAKnot,
         };
-        let columns: [fn(&Row) -> f64; 3] = [|row| row.drag, |row| row.lift, |row| row.moment];
-        let curves = columns.map(|column| {
-            let values: Vec<f64> = rows.iter().map(column).collect();
-            match interpolation {
-                Interpolation::Linear => Curve::Lines(values),
-                Interpolation::Cubic => Curve::Spline(CubicSpline::new(&angles, &values, ends)),
-            }
-        });
+        let mut pieces = Vec::new();
+        let mut rest = rows.as_slice();
+        let mut taken = 0;
+        for hole in holes {
+            let (piece, others) = rest.split_at(hole + 1 - taken);
+            pieces.push(piece);
+            (rest, taken) = (others, hole + 1);
+        }
+        pieces.push(rest);
+        let is_long = |piece: &&[Row]| piece.len() >= FEWEST_ROWS;
+        let pieces = pieces.into_iter().filter(is_long);
         CoefficientCurves {
             angles,
-            is_circle: table.is_circle(),
-            curves,
+            is_circle,
+            is_whole,
+            pieces: pieces
+                .map(|piece| Piece::new(piece, interpolation, ends))
+                .collect(),
         }
     }
 
     /// The coefficients at an angle in degrees, and their derivatives per radian; on the circle, at any
     /// angle.
     ///
-    /// Logarithmic in the length of the table.
+    /// Logarithmic in the length of the table, and linear in the number of its holes.
     ///
     /// # Errors
     ///
-    /// If the table does not reach the angle.
+    /// If the table does not reach the angle, or it is in a hole.
     pub fn at(&self, angle: f64) -> Result<Coefficients, OutsideTable> {
-        let reach = [self.angles[0], self.angles[self.angles.len() - 1]];
-        let is_inside = (reach[0]..=reach[1]).contains(&angle);
-        let place = if is_inside {
-            angle
-        } else if self.is_circle {
-            reach[0] + (angle - reach[0]).rem_euclid(360.0)
-        } else {
-            return Err(OutsideTable { angle, reach });
-        };
-        let [drag, lift, moment] = [0, 1, 2].map(|curve: usize| match &self.curves[curve] {
-            Curve::Spline(spline) => spline.at(place),
-            Curve::Lines(values) => {
-                let i = cell(&self.angles, place);
-                let width = self.angles[i + 1] - self.angles[i];
-                let slope = (values[i + 1] - values[i]) / width;
-                (values[i] + slope * (place - self.angles[i]), slope)
-            }
-        });
+        let outside = || self.outside(angle);
+        let (piece, place) = self.place(angle).ok_or_else(outside)?;
+        let [drag, lift, moment] = [0, 1, 2].map(|curve: usize| piece.at(curve, place));
         let per_radian = |slope: f64| slope.to_degrees();
         Ok(Coefficients {
             drag: drag.0,
@@ -127,9 +156,65 @@ impl CoefficientCurves {
         })
     }
 
+    /// The piece that holds an angle, and the angle there: as it is if any does, else turned round the circle.
+    fn place(&self, angle: f64) -> Option<(&Piece, f64)> {
+        let holds = |piece: &&Piece| piece.first() <= angle && angle <= piece.last();
+        if let Some(piece) = self.pieces.iter().find(holds) {
+            return Some((piece, angle));
+        }
+        if !self.is_circle || !angle.is_finite() {
+            return None;
+        }
+        self.pieces.iter().find_map(|piece| {
+            let place = piece.first() + (angle - piece.first()).rem_euclid(360.0);
+            // The circle has no end, whatever the rounding of its last angle.
+            (self.is_whole || place <= piece.last()).then(|| (piece, place.min(piece.last())))
+        })
+    }
+
+    /// Why an angle has no place: the pieces around it, if there are any.
+    fn outside(&self, angle: f64) -> OutsideTable {
+        let turns: &[f64] = match self.is_circle {
+            true => &[-360.0, 0.0, 360.0],
+            false => &[0.0],
+        };
+        let start = self.angles[0];
+        let own = match self.is_circle {
+            true => start + (angle - start).rem_euclid(360.0),
+            false => angle,
+        };
+        let mut hole: [Option<f64>; 2] = [None, None];
+        for turn in turns {
+            for piece in &self.pieces {
+                let (first, last) = (piece.first() + turn, piece.last() + turn);
+                if last < own {
+                    hole[0] = Some(hole[0].map_or(last, |end| end.max(last)));
+                }
+                if first > own {
+                    hole[1] = Some(hole[1].map_or(first, |end| end.min(first)));
+                }
+            }
+        }
+        let reach = [start, self.angles[self.angles.len() - 1]];
+        let is_in_hole = self.pieces.is_empty() && reach[0] <= own && own <= reach[1];
+        match hole {
+            [Some(below), Some(above)] => OutsideTable {
+                angle,
+                reach: [below, above],
+                is_in_hole: true,
+            },
+            _ => OutsideTable {
+                angle,
+                reach,
+                is_in_hole,
+            },
+        }
+    }
+
     /// How many of these angles are corners of straight lines, where the slope jumps.
     pub fn corners(&self, angles: &[f64]) -> usize {
-        if !matches!(self.curves[0], Curve::Lines(_)) {
+        let is_linear = |piece: &Piece| matches!(piece.curves[0], Curve::Lines(_));
+        if !self.pieces.iter().all(is_linear) {
             return 0;
         }
         let is_corner = |angle: &&f64| {
@@ -140,4 +225,52 @@ impl CoefficientCurves {
         };
         angles.iter().filter(is_corner).count()
     }
+}
+
+impl Piece {
+    /// Curves through at least four rows.
+    fn new(rows: &[Row], interpolation: Interpolation, ends: Ends) -> Self {
+        let angles: Vec<f64> = rows.iter().map(|row| row.angle).collect();
+        let columns: [fn(&Row) -> f64; 3] = [|row| row.drag, |row| row.lift, |row| row.moment];
+        let curves = columns.map(|column| {
+            let values: Vec<f64> = rows.iter().map(column).collect();
+            match interpolation {
+                Interpolation::Linear => Curve::Lines(values),
+                Interpolation::Cubic => Curve::Spline(CubicSpline::new(&angles, &values, ends)),
+            }
+        });
+        Piece { angles, curves }
+    }
+
+    fn first(&self) -> f64 {
+        self.angles[0]
+    }
+
+    fn last(&self) -> f64 {
+        self.angles[self.angles.len() - 1]
+    }
+
+    /// A curve and its slope per degree.
+    fn at(&self, curve: usize, place: f64) -> (f64, f64) {
+        match &self.curves[curve] {
+            Curve::Spline(spline) => spline.at(place),
+            Curve::Lines(values) => {
+                let i = cell(&self.angles, place);
+                let width = self.angles[i + 1] - self.angles[i];
+                let slope = (values[i + 1] - values[i]) / width;
+                (values[i] + slope * (place - self.angles[i]), slope)
+            }
+        }
+    }
+}
+
+/// The rows of a circle, of which the last one is the first again, from behind a hole to the hole.
+fn behind(hole: usize, rows: &[Row]) -> Vec<Row> {
+    let once = &rows[..rows.len() - 1];
+    let (before, after) = once.split_at((hole + 1) % once.len());
+    let turned = before.iter().map(|row| Row {
+        angle: row.angle + 360.0,
+        ..*row
+    });
+    after.iter().copied().chain(turned).collect()
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, Matrix3};
 
-use super::ball::{Ball, quotient, rounded};
+use super::ball::{Ball, cosine_and_sine, quotient, rounded};
 use super::coordinate::Coordinate;
 use super::error::StabilityError;
 use super::section::Section;
@@ -57,8 +57,7 @@ impl Model {
             p.natural_frequencies.map(|omega| rescaled(omega / unit));
         let omega = [omega_x, omega_y, omega_theta];
         let e = rounded(section.eccentricity());
-        let angle = p.mass_centre_angle + p.attitude;
-        let (sin, cos) = (e * rounded(angle.sin()), e * rounded(angle.cos()));
+        let [cos, sin] = cosine_and_sine(&[p.attitude, p.mass_centre_angle]).map(|own| e * own);
         let wind = p.air_density * p.reference_dimension * p.wind_speed / (2.0 * p.mass) / unit;
         // What is subnormal has lost digits, and what is too large is lost.
         let products = [

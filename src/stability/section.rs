@@ -85,6 +85,20 @@ pub struct Coefficients<T = f64> {
     pub moment_slope: T,
 }
 
+impl<T> Coefficients<T> {
+    /// The same in other numbers.
+    pub fn map<U>(&self, number: impl Fn(&T) -> U) -> Coefficients<U> {
+        Coefficients {
+            drag: number(&self.drag),
+            lift: number(&self.lift),
+            moment: number(&self.moment),
+            drag_slope: number(&self.drag_slope),
+            lift_slope: number(&self.lift_slope),
+            moment_slope: number(&self.moment_slope),
+        }
+    }
+}
+
 /// A section whose parameters are possible: L_g < r, m, r, D, ρ and the frequencies above 0, all finite.
 ///
 /// ```

@@ -38,6 +38,14 @@ impl Part {
         }
     }
 
+    /// Stability, if it is certain.
+    pub fn certain(&self) -> Option<Stability> {
+        match self.found {
+            Found::Certain(Stability::Undecided) | Found::Change(_) => None,
+            Found::Certain(stability) => Some(stability),
+        }
+    }
+
     /// Whether it is so near to 0 that what is not decided there is left out.
     pub fn is_negligible(&self) -> bool {
         self.to <= share(Integer::ONE, LOWEST.into())
@@ -55,6 +63,9 @@ const DEEPEST: usize = 120;
 
 /// Any other one until it is less than this power of 1/2 of the speeds in it.
 const DIGITS: usize = 40;
+
+/// Where the last determinant vanishes ranges are halved so often.
+const COARSE: usize = 6;
 
 /// The most parts that are halved.
 const MOST_HALVED: usize = 20_000;
@@ -188,7 +199,8 @@ impl Forms {
 struct Search {
     parts: Vec<Part>,
     halved: usize,
-    /// Whether the last determinant vanishes at all speeds: then nothing can be isolated but divergence.
+    /// Whether the last determinant vanishes at all speeds: then nothing can be isolated but divergence, and what
+    /// other determinants show of it.
     is_last_vanishing: bool,
 }
 
@@ -197,7 +209,11 @@ impl Search {
     fn look(&mut self, forms: &Forms, place: Integer, depth: usize) {
         let certain = match (forms.stiffness.sign(), forms.by_determinants()) {
             (KnownSign::Negative, _) => Some(Stability::Divergent),
-            (KnownSign::Positive, Stability::Undecided) if !self.is_last_vanishing => None,
+            (KnownSign::Positive, Stability::Undecided)
+                if !self.is_last_vanishing || depth < COARSE =>
+            {
+                None
+            }
             (KnownSign::Positive, decided) => Some(decided),
             _ => None,
         };

@@ -14,7 +14,7 @@ use super::interpolation::CoefficientCurves;
 use super::model::Model;
 use super::section::{Coefficients, Parameters, Section};
 use super::uniform_form::{Order, uniform_form_of};
-use super::verdict::{Verdict, verdict, verdict_by_errors};
+use super::verdict::{Doubt, Verdict, verdict, verdict_by_errors};
 
 /// A form whose errors are looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,6 +77,8 @@ pub struct Departure {
     pub angle: f64,
     /// At so many angles S has the wrong sign for certain.
     pub wrong_signs: usize,
+    /// At so many more it is not known whether it has: the exact S is within its error of 0.
+    pub open_signs: usize,
     /// At so many angles the form has an answer.
     pub answers: usize,
 }
@@ -87,7 +89,7 @@ pub type Departures = [Option<Departure>; 3];
 /// The errors of the forms over eccentricity e = L_g/r and wind δ = ρDU/(2mω_n).
 ///
 /// The map is of the case perfectly tuned to the frequency of heave and without structural damping, which is
-/// what the closed forms are for, at [`MOST_ANGLES`] of its angles at most.
+/// what the closed forms are for, at all of its angles: of many angles it has fewer places.
 #[derive(Clone, Debug)]
 pub struct Validity {
     /// The case.
@@ -96,9 +98,7 @@ pub struct Validity {
     pub own: [f64; 2],
     /// The errors for the case as it is, at all of its angles.
     pub own_departures: Departures,
-    /// The number of its angles.
-    pub own_angles: usize,
-    /// The number of angles of the map.
+    /// The number of its angles, which are those of the map.
     pub angles: usize,
     /// The largest |S_a| at these.
     pub strength: f64,
@@ -118,13 +118,19 @@ pub struct Validity {
 /// Errors of S over |S_a| that an engineer may neglect.
 pub const TOLERANCE: f64 = 0.01;
 
-/// The most angles of a map.
-pub const MOST_ANGLES: usize = 61;
+/// Columns and rows of a map, and points along a line, at most; and at least.
+const MOST: [usize; 3] = [45, 33, 145];
+const FEWEST: usize = 3;
 
-/// Columns and rows of a map, and points along a line.
-const COLUMNS: usize = 45;
-const ROWS: usize = 33;
-const POINTS: usize = 145;
+/// A map that is as fine as can be has so many sections at most.
+const MOST_SECTIONS: f64 = 600_000.0;
+
+/// Columns, rows and points for so many angles.
+fn sizes(angles: usize) -> [usize; 3] {
+    let [columns, rows, _] = MOST;
+    let share = (MOST_SECTIONS / (columns * rows * angles) as f64).sqrt();
+    MOST.map(|most| ((share.min(1.0) * most as f64) as usize).max(FEWEST))
+}
 
 /// What a map shows of e and δ at least, and what it does not go below.
 const ECCENTRICITIES: [f64; 2] = [1e-3, 0.9];
@@ -133,7 +139,7 @@ const LEAST: f64 = 1e-9;
 
 /// The map of a case.
 ///
-/// Some 110,000 sections by all methods, on all cores.
+/// Some 640,000 sections by all methods for 361 angles, on all cores.
 ///
 /// # Errors
 ///
@@ -160,22 +166,23 @@ pub fn validity(case: &Case, table: &CoefficientTable) -> Result<Validity, Input
     let no_answer =
         |error: StabilityError| wrong(&error.to_string(), "correct the case or its table");
     let own = Sections::of(case, table)?;
-    let map = own.tuned().thinned(MOST_ANGLES);
+    let map = own.tuned();
+    let [columns, rows, points] = sizes(map.sections.len());
     let place = own.place();
-    let eccentricities = logarithmic(around(ECCENTRICITIES, place[0]), COLUMNS);
-    let winds = logarithmic(around(WINDS, place[1]), ROWS);
-    let points: Vec<[f64; 2]> = winds
+    let eccentricities = logarithmic(around(ECCENTRICITIES, place[0]), columns);
+    let winds = logarithmic(around(WINDS, place[1]), rows);
+    let places: Vec<[f64; 2]> = winds
         .iter()
         .flat_map(|&wind| eccentricities.iter().map(move |&e| [e, wind]))
         .collect();
-    let cells: Result<Vec<_>, _> = points.par_iter().map(|&point| map.at(point)).collect();
+    let cells: Result<Vec<_>, _> = places.par_iter().map(|&place| map.at(place)).collect();
     let is_close = |point: [f64; 2]| -> Result<bool, StabilityError> {
         Ok(map.at(point)?[0].error <= TOLERANCE)
     };
-    let line = logarithmic(around(ECCENTRICITIES, place[0]), POINTS);
+    let line = logarithmic(around(ECCENTRICITIES, place[0]), points);
     let from_above = line.iter().rev().copied();
     let least_eccentricity = last_while(from_above, |e| is_close([e, place[1]]));
-    let line = logarithmic(around(WINDS, place[1]), POINTS);
+    let line = logarithmic(around(WINDS, place[1]), points);
     let largest_wind = last_while(line.iter().copied(), |wind| is_close([place[0], wind]));
     Ok(Validity {
         case: case.clone(),
@@ -183,8 +190,7 @@ pub fn validity(case: &Case, table: &CoefficientTable) -> Result<Validity, Input
         own_departures: own
             .departures(|section, spectrum| Some(verdict(section, spectrum)))
             .map_err(no_answer)?,
-        own_angles: own.sections.len(),
-        angles: map.sections.len(),
+        angles: own.sections.len(),
         strength: map.strength(),
         eccentricities,
         winds,
@@ -245,14 +251,6 @@ impl Sections {
         })
     }
 
-    /// Evenly chosen ones of the angles.
-    fn thinned(self, most: usize) -> Self {
-        let every = self.sections.len().div_ceil(most).max(1);
-        Sections {
-            sections: self.sections.into_iter().step_by(every).collect(),
-        }
-    }
-
     fn with(&self, change: impl Fn(Parameters) -> Parameters) -> Self {
         let changed = |&(angle, parameters): &(f64, Parameters)| (angle, change(parameters));
         Sections {
@@ -290,6 +288,7 @@ impl Sections {
             error: f64::INFINITY,
             angle: self.sections[0].0,
             wrong_signs: 0,
+            open_signs: 0,
             answers: 0,
         };
         let is_whole = |own: &Departure| own.answers == self.sections.len();
@@ -310,13 +309,15 @@ impl Sections {
                     error: 0.0,
                     angle,
                     wrong_signs: 0,
+                    open_signs: 0,
                     answers: 0,
                 });
                 let is_larger = shift.error > found.error;
                 Some(Departure {
                     error: found.error.max(shift.error),
                     angle: if is_larger { angle } else { found.angle },
-                    wrong_signs: found.wrong_signs + usize::from(shift.is_wrong),
+                    wrong_signs: found.wrong_signs + usize::from(shift.sign == Sign::Wrong),
+                    open_signs: found.open_signs + usize::from(shift.sign == Sign::Open),
                     answers: found.answers + 1,
                 })
             })
@@ -327,11 +328,35 @@ impl Sections {
 /// How signs are known: by exact arithmetic where need be, or only as far as the errors of the eigenvalues tell.
 type Decide = fn(&Section, &Spectrum) -> Option<Verdict>;
 
-/// The error of S over |S_a|, and whether its sign is wrong for certain.
+/// The error of S over |S_a|, and what is known of its sign.
 #[derive(Clone, Copy)]
 struct Shift {
     error: f64,
-    is_wrong: bool,
+    sign: Sign,
+}
+
+/// What is known of the sign of S.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Sign {
+    /// It is not wrong, or so small that its rounding may be.
+    Right,
+    /// It is wrong for certain.
+    Wrong,
+    /// Nothing.
+    Open,
+}
+
+impl Sign {
+    fn of(value: f64, rounding: f64, verdict: Option<Verdict>) -> Self {
+        match verdict {
+            Some(own) if own.refutes(value, rounding) => Sign::Wrong,
+            Some(
+                Verdict::Stable(_) | Verdict::Unstable(_) | Verdict::Undecided(Doubt::Neutral),
+            ) => Sign::Right,
+            _ if value.abs() <= rounding => Sign::Right,
+            _ => Sign::Open,
+        }
+    }
 }
 
 /// Those of all forms; `None` where one has no answer.
@@ -349,7 +374,7 @@ fn shifts(parameters: Parameters, decide: Decide) -> Result<Shifts, StabilityErr
         // Without forces there is nothing to be wrong about.
         let right = Shift {
             error: 0.0,
-            is_wrong: false,
+            sign: Sign::Right,
         };
         return Ok([Some(right); 3]);
     }
@@ -362,7 +387,7 @@ fn shifts(parameters: Parameters, decide: Decide) -> Result<Shifts, StabilityErr
         let value = section.damping_coefficient(value)?;
         Some(Shift {
             error: (value - exact).abs() / size,
-            is_wrong: verdict.is_some_and(|own| own.refutes(value, ROUNDING * size)),
+            sign: Sign::of(value, ROUNDING * size, verdict),
         })
     }))
 }

@@ -5,12 +5,14 @@ use std::fmt;
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::budget::{Budget, Exhausted};
 use crate::algebra::interval::{Interval, Intervals, KnownSign};
+use crate::algebra::number::Rational;
 use crate::algebra::trigonometric_sum::{TrigonometricSum as Sum, TrigonometricSums};
 use crate::algebra::univariate::Univariate;
 
 use super::eigenvalue::Spectrum;
 use super::exact_section::ExactSection;
 use super::hurwitz::hurwitz_determinants;
+use super::neutral::without_pairs;
 use super::section::Section;
 
 /// What is known of the stability of a section.
@@ -126,10 +128,7 @@ pub fn exact_verdict(section: &ExactSection) -> Verdict {
     let sums = |steps: u64| TrigonometricSums::new(Budget::new(steps));
     let found = polynomial_at_speed(section, &sums(LONGEST_POLYNOMIAL))
         .map_err(|_| Doubt::TooLong)
-        .and_then(|polynomial| {
-            let pairs = section.natural_pairs();
-            signs_of_roots(&polynomial, &pairs, &sums(MOST_PRODUCTS))
-        });
+        .and_then(|polynomial| without_natural_pairs(section, polynomial, &sums(MOST_PRODUCTS)));
     match found {
         Ok(Roots::Left) => Verdict::Stable(Proof::Determinants),
         Ok(Roots::Right) => Verdict::Unstable(Proof::Determinants),
@@ -146,6 +145,37 @@ const MOST_PRODUCTS: u64 = 100_000;
 
 /// The digits of the enclosures, one after the other; common divisors are sought after the first.
 const DIGITS: [usize; 4] = [256, 512, 1024, 4096];
+
+/// Where the roots lie, after those that are imaginary since a motion is not damped are taken out.
+fn without_natural_pairs(
+    section: &ExactSection,
+    polynomial: Vec<Sum>,
+    sums: &TrigonometricSums,
+) -> Result<Roots, Doubt> {
+    if let Ok(known) = by_determinants(&polynomial, &DIGITS[..1], false) {
+        return Ok(known);
+    }
+    let constant = |square: Rational| vec![Sum::from(square)];
+    let squares: Vec<_> = section
+        .natural_squares()
+        .into_iter()
+        .map(constant)
+        .collect();
+    let constants = polynomial.iter().map(|own| match own.is_zero() {
+        true => Vec::new(),
+        false => vec![own.clone()],
+    });
+    let (rest, count) =
+        without_pairs(constants.collect(), &squares, sums).map_err(|_| Doubt::Digits(DIGITS[0]))?;
+    let rest: Vec<Sum> = rest
+        .into_iter()
+        .map(|own| own.into_iter().next().unwrap_or_default())
+        .collect();
+    match (signs_of_roots(&rest, sums)?, count) {
+        (Roots::Left, 1..) => Ok(Roots::OnAxis),
+        (roots, _) => Ok(roots),
+    }
+}
 
 /// The characteristic polynomial at the speed of the section.
 fn polynomial_at_speed(
@@ -180,18 +210,12 @@ enum Roots {
 /// With p(λ) = E(λ²) + λ O(λ²) and d the greatest common divisor of E and O, p = d(λ²) q(λ), and a root of
 /// p on the imaginary axis is one of d(λ²), whose roots come in pairs ±λ. All roots of d are negative
 /// exactly where d(λ²) + λ d′(λ²) has no root to the right of the axis (Hermite and Biehler).
-///
-/// `likely` are divisors d to be tried first: to find others costs much more.
-fn signs_of_roots(
-    polynomial: &[Sum],
-    likely: &[Vec<Sum>],
-    sums: &TrigonometricSums,
-) -> Result<Roots, Doubt> {
+fn signs_of_roots(polynomial: &[Sum], sums: &TrigonometricSums) -> Result<Roots, Doubt> {
     if polynomial.len() <= 1 {
         return Ok(Roots::Left);
     }
     if polynomial[0].is_zero() {
-        return Ok(match signs_of_roots(&polynomial[1..], likely, sums)? {
+        return Ok(match signs_of_roots(&polynomial[1..], sums)? {
             Roots::Right => Roots::Right,
             Roots::Left | Roots::OnAxis => Roots::OnAxis,
         });
@@ -199,12 +223,8 @@ fn signs_of_roots(
     if let Ok(known) = by_determinants(polynomial, &DIGITS[..1], false) {
         return Ok(known);
     }
-    let found = match dividing(polynomial, likely, sums) {
-        Some(pair) => Ok(pair.to_vec()),
-        None => common_divisor(polynomial, sums),
-    };
-    match found {
-        Ok(common) if common.len() > 1 => signs_with_pairs(polynomial, &common, likely, sums),
+    match common_divisor(polynomial, sums) {
+        Ok(common) if common.len() > 1 => signs_with_pairs(polynomial, &common, sums),
         // No root is imaginary: if a determinant is 0 all the same, not all roots are to the left.
         Ok(_) => {
             let exact = hurwitz_determinants(polynomial, sums).unwrap_or_default();
@@ -219,18 +239,17 @@ fn signs_of_roots(
 fn signs_with_pairs(
     polynomial: &[Sum],
     common: &[Sum],
-    likely: &[Vec<Sum>],
     sums: &TrigonometricSums,
 ) -> Result<Roots, Doubt> {
     let too_long = |_: Exhausted| Doubt::Digits(DIGITS[0]);
     let ring = Univariate(sums);
     let pairs = interleaved(common, &[]);
     let (others, _) = ring.pseudo_division(polynomial, &pairs).map_err(too_long)?;
-    if signs_of_roots(&others, likely, sums)? == Roots::Right {
+    if signs_of_roots(&others, sums)? == Roots::Right {
         return Ok(Roots::Right);
     }
     let slope = ring.derivative(common).map_err(too_long)?;
-    match signs_of_roots(&interleaved(common, &slope), likely, sums)? {
+    match signs_of_roots(&interleaved(common, &slope), sums)? {
         Roots::Right => Ok(Roots::Right),
         _ => Ok(Roots::OnAxis),
     }
@@ -266,20 +285,6 @@ fn by_determinants(
         }
     }
     Err(Doubt::Digits(digits.last().copied().unwrap_or_default()))
-}
-
-/// The first of some polynomials d for which d(λ²) divides another one.
-fn dividing<'a>(
-    polynomial: &[Sum],
-    likely: &'a [Vec<Sum>],
-    sums: &TrigonometricSums,
-) -> Option<&'a Vec<Sum>> {
-    let ring = Univariate(sums);
-    let divides = |pair: &&Vec<Sum>| {
-        let division = ring.pseudo_division(polynomial, &interleaved(pair, &[]));
-        division.is_ok_and(|(_, rest)| rest.is_empty())
-    };
-    likely.iter().find(divides)
 }
 
 /// A greatest common divisor of the even and the odd part, in powers of λ², by Euclid.

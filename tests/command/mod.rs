@@ -2,6 +2,8 @@
 
 #[cfg(feature = "stability")]
 mod figures;
+#[cfg(feature = "stability")]
+mod files;
 mod generation;
 #[cfg(feature = "stability")]
 mod modes;

@@ -322,3 +322,62 @@ fn aerodynamic_stiffness_is_an_option() {
         "{err}"
     );
 }
+
+/// The companion matrix loses all digits of three motions that coincide: that is said, and nothing is 0.
+#[test]
+fn what_is_not_known_is_not_printed_as_0() {
+    let section = "m=2 r=1 L_g=0 alpha_g=0 theta_0=0 omega_x=1 omega_y=1 omega_theta=1 zeta_x=0 zeta_y=0 zeta_theta=0 \
+                   rho=1 D=1 U=2e-6 S_xx=-2 S_xy=-1 S_xt=0 S_yx=0 S_yy=1 S_yt=-1 S_tx=1 S_ty=0 S_tt=0";
+    let section: Vec<&str> = section.split_whitespace().collect();
+    let (_, out, _) = modes(&section, &["--method", "companion"]);
+    assert!(out.contains(": not a digit of it is certain"), "{out}");
+    assert!(!out.contains("S_3D = 0"), "{out}");
+    let (_, out, _) = modes(&section, &["--method", "companion", "--format", "json"]);
+    let json: Value = serde_json::from_str(&out).expect("JSON");
+    let number = |name: &str| json[name].as_f64().expect("a number");
+    // A root of λ³ + λ² − 2λ − 1, from long arithmetic.
+    assert!(
+        (number("s3d") + 1.801_937_735_804_838).abs() <= number("s3d_error"),
+        "{out}"
+    );
+    let (_, out, _) = modes(&section, &["--format", "json"]);
+    let json: Value = serde_json::from_str(&out).expect("JSON");
+    let [own, error] = ["s3d", "s3d_error"].map(|name| json[name].as_f64().expect("a number"));
+    assert!(
+        (own + 1.801_937_735_804_838).abs() <= error + 1e-5 && error < 1e-3,
+        "{out}"
+    );
+}
+
+/// Strong negative damping of heave, without an oscillation: it gallops, in every command.
+#[test]
+fn what_gallops_without_an_oscillation_does_not_diverge() {
+    let section = "m=2 r=1 L_g=0 alpha_g=0 theta_0=0 omega_x=1 omega_y=1 omega_theta=1 zeta_x=0 zeta_y=0 zeta_theta=0 \
+                   rho=1 D=1 U=20 alpha_0=0 L_a=0 gamma_r=0 C_D=1 C_L=0 C_M=0 dC_D=0 dC_L=-3 dC_M=0";
+    let section: Vec<&str> = section.split_whitespace().collect();
+    let (_, out, _) = modes(&section, &[]);
+    assert!(
+        out.contains("no oscillation: it gallops") && !out.contains("diverges"),
+        "{out}"
+    );
+    let folder = super::folder("gallops");
+    let case = folder.join("tuned.toml");
+    let text = std::fs::read_to_string(&case).expect("a case");
+    let text = text
+        .replace("U = 9 ", "U = 900 ")
+        .replace("step = 0.5", "step = 10");
+    std::fs::write(&case, text).expect("a case");
+    let case = case.to_str().expect("a path");
+    let (_, out, err) = super::run(&["stability", case]);
+    assert!(
+        out.contains("The section gallops in ") && out.contains("  none "),
+        "{out} {err}"
+    );
+    let (_, speeds, _) = super::run(&["speeds", case, "--to", "1000"]);
+    for out in [out, speeds] {
+        assert!(
+            out.contains("gallops") && !out.contains("diverges"),
+            "{out}"
+        );
+    }
+}

@@ -338,3 +338,134 @@ fn speeds_that_make_no_sense_have_no_ranges() {
     let faint = speeds(&section, 1e-300);
     assert_eq!(stabilities(&faint), [Stability::Stable]);
 }
+
+/// Perfectly tuned and undamped, with the aerodynamic centre as far from the elastic centre as the radius of
+/// gyration: one motion is neutral at every speed, with a frequency that is none of the natural ones.
+#[test]
+fn what_gallops_gallops_beside_a_neutral_motion() {
+    let mut numbers = Numbers::new(57);
+    let (mut critical, mut unstable, mut neutral) = (0, 0, 0);
+    for _ in 0..12 {
+        let turn = numbers.between(0.0, std::f64::consts::PI);
+        let p = Parameters {
+            mass: 3.0,
+            radius_of_gyration: 0.02,
+            mass_centre_distance: 0.004,
+            aerodynamic_centre_distance: 0.02,
+            reference_dimension: 0.06,
+            natural_frequencies: [6.5; 3],
+            air_density: 1.25,
+            attitude: turn,
+            forces: Coefficients {
+                drag: 1.1,
+                lift: turn.sin(),
+                moment: 0.1 * (2.0 * turn).sin(),
+                drag_slope: 0.7 * (2.0 * turn).sin(),
+                lift_slope: numbers.between(-1.5, 1.0),
+                moment_slope: 0.2 * (2.0 * turn).cos(),
+            }
+            .into(),
+            ..Parameters::default()
+        };
+        let found = of(p, 100.0);
+        assert!(found.is_neutral, "{p:?}");
+        critical += found.critical.len();
+        for range in &found.ranges {
+            for part in [0.01, 0.5, 0.99] {
+                let speed = range.from + part * (range.to - range.from);
+                let (largest, error) = largest_real_part(&p, speed);
+                match range.stability {
+                    Stability::Unstable => assert!(largest > -error, "{range:?} {p:?}"),
+                    Stability::Undecided => assert!(largest <= error, "{range:?} {p:?}"),
+                    other => panic!("{other:?} {p:?}"),
+                }
+            }
+            unstable += usize::from(range.stability == Stability::Unstable);
+            neutral += usize::from(range.stability == Stability::Undecided);
+        }
+        assert_eq!(found.critical.len() + 1, found.ranges.len(), "{found:?}");
+    }
+    assert!(
+        unstable > 3 && neutral > 3,
+        "{critical} {unstable} {neutral}"
+    );
+}
+
+/// The turn alone is neutral, with a stiffness that the wind changes, beside a heave that gallops.
+#[test]
+fn a_turn_that_nothing_damps_is_neutral_until_it_diverges() {
+    let p = Parameters {
+        radius_of_gyration: 0.5,
+        natural_frequencies: [0.0, 4.0, 6.0],
+        aerodynamic_stiffness: true,
+        forces: Coefficients {
+            drag: 1.0,
+            lift_slope: -3.0,
+            moment_slope: 0.8,
+            ..Coefficients::default()
+        }
+        .into(),
+        free: FreeCoordinates::new(&[Coordinate::Y, Coordinate::Theta]).expect("two"),
+        ..heave(0.01)
+    };
+    let found = of(p, 100.0);
+    assert!(found.is_neutral);
+    assert_eq!(
+        stabilities(&found),
+        [
+            Stability::Undecided,
+            Stability::Unstable,
+            Stability::Divergent
+        ]
+    );
+    let galloping = 4.0 * 2.0 * 4.0 * 0.01 / (1.25 * 0.5 * 2.0);
+    let diverging = (2.0 * 2.0 * 0.25 * 36.0 / (1.25 * 0.25 * 0.8_f64)).sqrt();
+    for (own, expected) in found.critical.iter().zip([galloping, diverging]) {
+        assert!((own.speed - expected).abs() < 1e-9, "{own:?} {expected}");
+    }
+}
+
+/// The mass centre as far out as it can be, almost, so that little mass is left to one motion.
+#[test]
+fn no_critical_speed_is_lost_between_stable_and_unstable() {
+    let mut numbers = Numbers::new(58);
+    let mut seen = 0;
+    for _ in 0..20 {
+        let turn = numbers.between(0.0, 0.3);
+        let p = Parameters {
+            mass: 240.0,
+            radius_of_gyration: 0.5,
+            mass_centre_distance: 0.49975,
+            aerodynamic_centre_angle: -0.7,
+            reference_dimension: 1.8,
+            natural_frequencies: [0.7, 0.95, 0.68],
+            damping_ratios: [0.005, 0.01, 0.016],
+            air_density: 1.25,
+            attitude: turn,
+            forces: Coefficients {
+                drag: 0.3 + turn * turn,
+                lift: -turn,
+                moment: -0.2 * turn,
+                drag_slope: numbers.between(0.0, 0.6),
+                lift_slope: -1.0,
+                moment_slope: *numbers.one_of(&[0.0, -0.4]),
+            }
+            .into(),
+            ..Parameters::default()
+        };
+        let found = of(p, 100.0);
+        let decided = found.ranges.windows(2).filter(|pair| {
+            let kinds = [pair[0].stability, pair[1].stability];
+            kinds[0] != kinds[1] && !kinds.contains(&Stability::Undecided)
+        });
+        assert_eq!(decided.count(), found.critical.len(), "{found:?}");
+        assert_eq!(found.critical.len() + 1, found.ranges.len(), "{found:?}");
+        for own in &found.critical {
+            let [below, above] = [own.speed * (1.0 - 1e-6), own.speed * (1.0 + 1e-6)];
+            let is_stable = |speed: f64| largest_real_part(&p, speed).0 < 0.0;
+            assert_ne!(is_stable(below), is_stable(above), "{own:?} {p:?}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 10, "{seen}");
+}

@@ -136,3 +136,98 @@ fn what_is_outside_of_the_table_is_refused() {
         );
     }
 }
+
+/// A table of sin α, cos α and 0.1 sin α at some angles.
+fn at_angles(angles: &[f64]) -> CoefficientTable {
+    let rows = angles.iter().map(|angle| {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        format!("{angle},{sin},{cos},{}\n", 0.1 * sin)
+    });
+    let text = "alpha_deg,CL,CD,CM\n".to_string() + &rows.collect::<String>();
+    CoefficientTable::read("angles.csv", &text).expect("a table")
+}
+
+fn steps(from: i32, to: i32, step: usize) -> Vec<f64> {
+    (from..=to).step_by(step).map(f64::from).collect()
+}
+
+#[test]
+fn nothing_is_drawn_across_a_hole() {
+    let angles = [steps(0, 90, 2), steps(270, 358, 2)].concat();
+    for interpolation in [Interpolation::Linear, Interpolation::Cubic] {
+        let curves = CoefficientCurves::new(&at_angles(&angles), interpolation);
+        // The part from 270° over 0° to 90° is one curve.
+        for angle in [270.0, 300.5, 359.0, 0.0, 1.0, 90.0, -1.0, 450.0_f64] {
+            let at = curves.at(angle).expect("in the table");
+            let (sin, cos) = angle.to_radians().sin_cos();
+            assert!((at.lift - sin).abs() < 1e-3 && (at.drag - cos).abs() < 1e-3);
+            assert!((at.lift_slope - cos).abs() < 0.02, "{at:?} at {angle}");
+        }
+        for angle in [90.1, 180.0, 269.9, -180.0, 540.0] {
+            let error = curves.at(angle).expect_err("in the hole");
+            assert!(error.is_in_hole && error.reach == [90.0, 270.0], "{error}");
+        }
+    }
+    // Both parts of half a circle end at the hole, and beyond its ends there is nothing.
+    let angles = [steps(0, 60, 2), steps(120, 180, 2)].concat();
+    let curves = CoefficientCurves::new(&at_angles(&angles), Interpolation::Cubic);
+    for angle in [0.0, 60.0, 120.0, 180.0] {
+        assert!(curves.at(angle).is_ok(), "{angle}");
+    }
+    let error = curves.at(90.0).expect_err("in the hole");
+    assert_eq!((error.is_in_hole, error.reach), (true, [60.0, 120.0]));
+    let error = curves.at(181.0).expect_err("outside");
+    assert_eq!((error.is_in_hole, error.reach), (false, [0.0, 180.0]));
+    // Two holes, and too few rows between them for a curve; a hole next to the last row.
+    let angles = [steps(0, 60, 2), vec![120.0, 122.0], steps(180, 330, 2)].concat();
+    let curves = CoefficientCurves::new(&at_angles(&angles), Interpolation::Linear);
+    let error = curves.at(121.0).expect_err("alone");
+    assert_eq!((error.is_in_hole, error.reach), (true, [60.0, 180.0]));
+    let far = curves.at(200.0).expect("in the table").lift;
+    assert!((far - 200_f64.to_radians().sin()).abs() < 1e-12);
+    let angles = [vec![0.0], steps(60, 360, 3)].concat();
+    let curves = CoefficientCurves::new(&at_angles(&angles), Interpolation::Cubic);
+    assert!(curves.at(0.0).is_ok() && curves.at(30.0).is_err() && curves.at(60.0).is_ok());
+}
+
+#[test]
+fn ends_that_were_rounded_are_one_angle() {
+    let inner = steps(-175, 175, 5);
+    let exact = [vec![-180.0], inner.clone(), vec![180.0]].concat();
+    let exact = CoefficientCurves::new(&at_angles(&exact), Interpolation::Cubic);
+    for end in [179.99985, 180.0002] {
+        let rounded = [vec![-end], inner.clone(), vec![end]].concat();
+        for interpolation in [Interpolation::Linear, Interpolation::Cubic] {
+            let curves = CoefficientCurves::new(&at_angles(&rounded), interpolation);
+            let at = curves.at(180.0).expect("on the circle");
+            // sin of the last row is that of the angle that is written.
+            assert!((at.lift_slope + 1.0).abs() < 2e-3, "{end}: {at:?}");
+        }
+        let curves = CoefficientCurves::new(&at_angles(&rounded), Interpolation::Cubic);
+        for angle in [177.5, 179.9, 180.0, -179.9, 182.0] {
+            let (own, expected) = (curves.at(angle).expect("in"), exact.at(angle).expect("in"));
+            assert!(
+                (own.lift_slope - expected.lift_slope).abs() < 1e-4,
+                "{own:?}"
+            );
+        }
+    }
+}
+
+/// A jump of C_M that is small beside C_D is one all the same.
+#[test]
+fn every_coefficient_has_a_scale_of_its_own() {
+    let rows = (0..=180).map(|place| {
+        let angle = 2.0 * f64::from(place);
+        format!("{angle},0,2,{}\n", 0.001 * angle / 360.0)
+    });
+    let text = "alpha_deg,CL,CD,CM\n".to_string() + &rows.collect::<String>();
+    let table = CoefficientTable::read("jump.csv", &text).expect("a table");
+    assert!(table.has_a_jump_at_its_end());
+    let curves = CoefficientCurves::new(&table, Interpolation::Cubic);
+    for angle in [0.5, 180.0, 356.5, 359.9] {
+        let slope = curves.at(angle).expect("in the table").moment_slope;
+        let expected = 0.001 / std::f64::consts::TAU;
+        assert!((slope - expected).abs() < 1e-9, "{slope} at {angle}");
+    }
+}

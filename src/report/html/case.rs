@@ -6,7 +6,7 @@ use super::{CaseFiles, escape};
 use crate::report::gallery::Named;
 use crate::report::speeds::{self, SpeedsFound};
 use crate::report::stability::{
-    PROOF, agreement, certain, conclusion, frequency, largest_error, mode, power, reasons, title,
+    PROOF, agreement, conclusion, frequency, largest_error, mode, power, reasons, rounded, title,
 };
 use crate::report::validity::{departure, reach};
 use crate::report::{speeds_figure, stability_figure, validity_figure};
@@ -184,8 +184,8 @@ fn unstable(own: &UnstableRange, comparison: &Comparison) -> UnstableView {
     UnstableView {
         angles: own.angles.to_string(),
         worst: format!("{}°", angle(own.worst)),
-        damping: certain(own.damping),
-        frequency: mode_of.map_or(String::new(), |mode| frequency(mode, case)),
+        damping: rounded(own.damping, 9),
+        frequency: mode_of.map_or(String::new(), |mode| frequency(mode, own.diverges, case)),
         mode: mode_of.map_or(String::new(), mode),
         verdict: verdict.map_or(String::new(), |own| format!("{}: {own}", own.name())),
     }

@@ -1,5 +1,5 @@
-//! `{"method", "eigenvalues": [{"re", "im", "error"}…], "s3d", "verdict", "reason", "warnings": […]}`, and with
-//! shapes `"shape": {"x": {"re", "im"}, "y", "r_theta"}` in each of the eigenvalues.
+//! `{"method", "eigenvalues": [{"re", "im", "error"}…], "s3d", "s3d_error", "verdict", "diverges", "reason",
+//! "warnings": […]}`, and with shapes `"shape": {"x": {"re", "im"}, "y", "r_theta"}` in each of the eigenvalues.
 
 use num_complex::Complex;
 use serde::Serialize;
@@ -15,7 +15,9 @@ struct Found<'a> {
     method: &'a str,
     eigenvalues: Vec<Eigenvalue>,
     s3d: Option<f64>,
+    s3d_error: Option<f64>,
     verdict: &'a str,
+    diverges: bool,
     reason: String,
     warnings: &'a [String],
 }
@@ -46,7 +48,9 @@ pub fn modes(found: &ModesFound) -> String {
         method: found.method,
         eigenvalues: found.modes.iter().map(eigenvalue).collect(),
         s3d: found.damping_coefficient.map(|(damping, _)| damping),
+        s3d_error: found.damping_coefficient.and_then(|(_, error)| error),
         verdict: found.verdict.name(),
+        diverges: found.diverges,
         reason: found.verdict.to_string(),
         warnings: &found.warnings,
     })

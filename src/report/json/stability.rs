@@ -1,8 +1,9 @@
-//! `{"case", "free", "points": […], "unstable": […], "methods": […], "warnings": […]}`.
+//! `{"case", "free", "table", "points": […], "unstable": […], "methods": […], "warnings": […]}`.
 
 use serde::Serialize;
 
-use crate::report::stability::reasons;
+use crate::report::stability::{frequency_in_hertz, reasons};
+use crate::stability::case::Case;
 use crate::stability::comparison::{
     Agreement, AngleRange, Comparison, FollowedMode, Point, UnstableRange, Value, angle,
 };
@@ -14,6 +15,7 @@ use super::write;
 struct Compared<'a> {
     case: &'a str,
     free: Vec<&'a str>,
+    table: &'a str,
     points: Vec<AtAngle<'a>>,
     unstable: Vec<Unstable<'a>>,
     undecided: Vec<Angles>,
@@ -26,6 +28,7 @@ struct AtAngle<'a> {
     alpha_deg: f64,
     s3d: ByMethod,
     verdict: &'a str,
+    diverges: bool,
     reason: String,
     modes: Vec<OneMode<'a>>,
     warnings: Vec<String>,
@@ -51,6 +54,7 @@ struct OneMode<'a> {
     s: f64,
     error: f64,
     frequency_hz: f64,
+    frequency_error_hz: f64,
     mostly: &'a str,
 }
 
@@ -91,18 +95,28 @@ struct Warning<'a> {
 
 /// A comparison, with all digits and with bounds of the errors.
 pub fn comparison(comparison: &Comparison) -> String {
+    let case = &comparison.case;
     write(&Compared {
-        case: &comparison.case.file,
+        case: &case.file,
         free: comparison.free().iter().map(|own| own.name()).collect(),
-        points: comparison.points.iter().map(at_angle).collect(),
-        unstable: comparison.unstable.iter().map(unstable).collect(),
+        table: &comparison.reading,
+        points: comparison
+            .points
+            .iter()
+            .map(|own| at_angle(own, case))
+            .collect(),
+        unstable: comparison
+            .unstable
+            .iter()
+            .map(|own| unstable(own, case))
+            .collect(),
         undecided: angles(&comparison.undecided),
         methods: comparison.agreements.iter().map(agreed).collect(),
         warnings: comparison.remarks.iter().map(warning).collect(),
     })
 }
 
-fn at_angle(point: &Point) -> AtAngle<'_> {
+fn at_angle<'a>(point: &'a Point, case: &Case) -> AtAngle<'a> {
     AtAngle {
         alpha_deg: angle(point.angle),
         s3d: ByMethod {
@@ -112,8 +126,9 @@ fn at_angle(point: &Point) -> AtAngle<'_> {
             uniform: point.uniform.value,
         },
         verdict: point.verdict.name(),
+        diverges: point.diverges,
         reason: point.verdict.to_string(),
-        modes: point.modes.iter().map(one_mode).collect(),
+        modes: point.modes.iter().map(|own| one_mode(own, case)).collect(),
         warnings: warnings(point),
     }
 }
@@ -137,12 +152,14 @@ fn bounded(value: Value) -> Bounded {
     }
 }
 
-fn one_mode(mode: &FollowedMode) -> OneMode<'_> {
+fn one_mode<'a>(mode: &'a FollowedMode, case: &Case) -> OneMode<'a> {
+    let frequency = frequency_in_hertz(mode, case);
     OneMode {
         mode: mode.label,
         s: mode.damping.value,
         error: mode.damping.error,
-        frequency_hz: mode.frequency,
+        frequency_hz: frequency.value,
+        frequency_error_hz: frequency.error,
         mostly: mode.mostly.name(),
     }
 }
@@ -158,13 +175,13 @@ fn one_range(range: AngleRange) -> Angles {
     }
 }
 
-fn unstable(own: &UnstableRange) -> Unstable<'_> {
+fn unstable<'a>(own: &'a UnstableRange, case: &Case) -> Unstable<'a> {
     Unstable {
         angles: one_range(own.angles),
         worst_deg: angle(own.worst),
         s3d: own.damping.value,
         error: own.damping.error,
-        mode: own.mode.as_ref().map(one_mode),
+        mode: own.mode.as_ref().map(|own| one_mode(own, case)),
     }
 }
 

@@ -33,6 +33,7 @@ struct Shift {
     error: f64,
     at_deg: f64,
     wrong_signs: usize,
+    open_signs: usize,
     answers: usize,
 }
 
@@ -72,7 +73,7 @@ pub fn validity(validity: &Validity) -> String {
         eccentricity,
         delta,
         largest_scaled_damping: validity.strength,
-        angles: validity.own_angles,
+        angles: validity.angles,
         forms: Form::ALL.map(form).into(),
         closed_within: crate::stability::validity::TOLERANCE,
         closed_least_eccentricity: validity.least_eccentricity,
@@ -87,6 +88,7 @@ fn shift(own: Departure) -> Shift {
         error: own.error,
         at_deg: own.angle,
         wrong_signs: own.wrong_signs,
+        open_signs: own.open_signs,
         answers: own.answers,
     }
 }

@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use num_complex::Complex;
 
 use crate::report::modes::{ModeFound, ModesFound, Shape, length};
-use crate::report::stability::{bound_with, decimal, decimals, power, significant};
+use crate::report::stability::{bound_with, decimal, decimals, is_unknown, power, significant};
+use crate::stability::comparison::Value;
 
 /// Decimals where no error is known.
 const USUAL_DECIMALS: i32 = 9;
@@ -15,6 +16,9 @@ const MOST_DECIMALS: i32 = 15;
 
 /// Digits of what a formula gives, which is shown however far it is off.
 const FORMULA_DIGITS: usize = 6;
+
+/// Digits of what is computed, but not certain.
+const UNKNOWN_DIGITS: usize = 2;
 
 /// Decimals of amplitudes and phases.
 const SHAPE_DECIMALS: i32 = 4;
@@ -35,21 +39,23 @@ pub fn modes(found: &ModesFound) -> String {
             "λ_{} = {real} {} {imaginary}i 1/s{within}; {}\n",
             place + 1,
             if value.im < 0.0 { '-' } else { '+' },
-            frequency(mode, found.is_formula)
+            frequency(mode, found)
         );
         if let Some(shape) = shape {
             text += &format!("      {}\n", moves(shape));
         }
     }
     if let Some((damping, error)) = found.damping_coefficient {
+        let unknown = error.is_some_and(|error| !found.is_formula && lost(damping, error));
         let meaning = match error {
+            Some(_) if unknown => ": not a digit of it is certain",
             Some(_) => "",
             None if damping < 0.0 => ": by this form the section gallops",
             None => ": by this form the section is stable",
         };
         let (number, within) = number(damping, error, found.is_formula);
         // What is certain shows how far.
-        let within = if found.is_formula {
+        let within = if found.is_formula || unknown {
             within
         } else {
             String::new()
@@ -65,17 +71,28 @@ pub fn modes(found: &ModesFound) -> String {
 }
 
 /// `0.845210 Hz`, as far as it is certain; what does not oscillate has none.
-fn frequency(mode: &ModeFound, is_formula: bool) -> String {
+fn frequency(mode: &ModeFound, found: &ModesFound) -> String {
     let grows = mode.value.re > mode.error.unwrap_or(0.0);
-    match (mode.value.im == 0.0, grows) {
-        (false, _) => {
+    match (mode.value.im == 0.0, grows, found.diverges) {
+        (true, false, _) => "no oscillation".to_string(),
+        (true, true, true) => "no oscillation: it diverges".to_string(),
+        (true, true, false) => "no oscillation: it gallops".to_string(),
+        _ => {
+            let value = mode.value.im / TAU;
             let error = mode.error.map(|error| error / TAU);
-            let (number, _) = number(mode.value.im / TAU, error, is_formula);
-            format!("{number} Hz")
+            match error {
+                Some(error) if !found.is_formula && lost(value, error) => {
+                    "frequency unknown".to_string()
+                }
+                _ => format!("{} Hz", number(value, error, found.is_formula).0),
+            }
         }
-        (true, true) => "no oscillation: it diverges".to_string(),
-        (true, false) => "no oscillation".to_string(),
     }
+}
+
+/// Whether no digit of a number is certain.
+fn lost(value: f64, error: f64) -> bool {
+    is_unknown(Value { value, error })
 }
 
 /// A number and how exact it is: as far as it is certain, or all that a formula gives and how far it is off.
@@ -90,10 +107,12 @@ fn number(value: f64, error: Option<f64>, is_formula: bool) -> (String, String) 
         ),
         Some(error) => {
             let decimals = decimals(error, MOST_DECIMALS);
-            (
-                decimal(value, decimals),
-                format!(", within {}", bound_with(error, decimals)),
-            )
+            // What is not known at all is not 0.
+            let text = match lost(value, error) {
+                true => significant(value, UNKNOWN_DIGITS),
+                false => decimal(value, decimals),
+            };
+            (text, format!(", within {}", bound_with(error, decimals)))
         }
     }
 }
@@ -124,29 +143,50 @@ mod tests {
     use super::*;
     use crate::stability::verdict::{Proof, Verdict};
 
-    #[test]
-    fn a_frequency_has_the_digits_of_its_own_error() {
+    fn page(error: f64, diverges: bool) -> String {
         let mode = |re, im| ModeFound {
             value: Complex::new(re, im),
-            error: Some(0.03),
+            error: Some(error),
             shape: None,
         };
-        let page = modes(&ModesFound {
+        modes(&ModesFound {
             method: "state",
             is_formula: false,
             modes: vec![mode(-1.0, TAU / 3.0), mode(0.02, 0.0), mode(0.04, 0.0)],
-            damping_coefficient: None,
+            damping_coefficient: Some((-16.8, Some(4e3 * error))),
             verdict: Verdict::Stable(Proof::Errors),
+            diverges,
             warnings: Vec::new(),
-        });
-        let ends: Vec<&str> = page
-            .lines()
-            .filter_map(|line| line.split("; ").nth(1))
-            .collect();
+        })
+    }
+
+    fn ends(page: &str) -> Vec<&str> {
+        let lines = page.lines();
+        lines.filter_map(|line| line.split("; ").nth(1)).collect()
+    }
+
+    #[test]
+    fn a_frequency_has_the_digits_of_its_own_error() {
         // 0.03 1/s are 0.005 Hz.
         assert_eq!(
-            ends,
+            ends(&page(0.03, true)),
             ["0.33 Hz", "no oscillation", "no oscillation: it diverges"]
+        );
+        assert_eq!(
+            ends(&page(0.03, false)),
+            ["0.33 Hz", "no oscillation", "no oscillation: it gallops"]
+        );
+    }
+
+    #[test]
+    fn what_is_not_known_is_not_0() {
+        let page = page(0.03, false);
+        let line = "S_3D = -17, within 1e3: not a digit of it is certain";
+        assert!(page.lines().any(|own| own == line), "{page}");
+        let page = self::page(20.0, false);
+        assert!(
+            page.starts_with("λ_1 = -1.0 + 2.1i 1/s, within 1e2; frequency unknown"),
+            "{page}"
         );
     }
 }

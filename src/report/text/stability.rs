@@ -23,6 +23,7 @@ const TABLE: usize = 70;
 pub fn comparison(comparison: &Comparison, width: usize) -> String {
     let mut page = Page::new(width);
     page.prose(&[], &[Run::words(title(comparison), STRONG)]);
+    page.prose(&[], &[Run::words(&comparison.reading, FAINT)]);
     unstable(&mut page, comparison);
     methods(&mut page, comparison);
     if !comparison.remarks.is_empty() {
@@ -50,7 +51,7 @@ fn unstable(page: &mut Page, comparison: &Comparison) {
                 own.angles.to_string(),
                 format!("{}°", angle(own.worst)),
                 rounded(own.damping, 4),
-                of_mode(&|mode| frequency(mode, &comparison.case)),
+                of_mode(&|mode| frequency(mode, own.diverges, &comparison.case)),
                 of_mode(&mode),
             ]
         };

@@ -18,8 +18,8 @@ pub fn validity(validity: &Validity, width: usize) -> String {
     );
     page.prose(&[], &[Run::words(place, STRONG)]);
     page.heading(&format!(
-        "The case as it is, at {} angles: largest errors of S over |S_a|",
-        validity.own_angles
+        "The case as it is, at all of its {} angles: largest errors of S over |S_a|",
+        validity.angles
     ));
     for form in Form::ALL {
         line(&mut page, form.name(), departure(validity, form));
@@ -27,7 +27,7 @@ pub fn validity(validity: &Validity, width: usize) -> String {
     page.heading("Perfectly tuned and without structural damping");
     line(&mut page, "closed form (21)–(23)", reach(validity));
     page.heading(&format!(
-        "Errors over their orders there, at most, for all e and δ of the map ({} angles)",
+        "Errors over their orders there, at most, for all e and δ of the map, at the same {} angles",
         validity.angles
     ));
     for (form, order) in [

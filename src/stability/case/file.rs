@@ -6,7 +6,7 @@ use super::Turn;
 use super::keys::Lines;
 use crate::stability::coordinate::{Coordinate, FreeCoordinates};
 use crate::stability::forces::Forces;
-use crate::stability::input::InputError;
+use crate::stability::input::{InputError, quoted};
 use crate::stability::interpolation::Interpolation;
 use crate::stability::section::Parameters;
 
@@ -88,7 +88,7 @@ impl StructureTable {
                 let free: Vec<Coordinate> = names.iter().filter_map(one).collect();
                 match (unknown, FreeCoordinates::new(&free)) {
                     (Some(name), _) => {
-                        let what = format!("there is no coordinate `{name}`");
+                        let what = format!("there is no coordinate `{}`", quoted(name));
                         let help = "free holds some of \"x\", \"y\", \"theta\"";
                         return Err(InputError::new(place, what, help));
                     }

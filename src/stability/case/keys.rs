@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use toml::de::{DeTable, DeValue};
 
-use crate::stability::input::{InputError, Place, meant};
+use crate::stability::input::{InputError, Place, meant, quoted, shortened};
 
 /// The tables of a case file and their keys.
 pub(super) const KEYS: [(&str, &[&str]); 4] = [
@@ -37,6 +37,10 @@ pub(super) const KEYS: [(&str, &[&str]); 4] = [
     ("wind", &["rho", "U", "aerodynamic_stiffness"]),
     ("sweep", &["alpha_deg", "turn"]),
 ];
+
+/// How the angles of a sweep are written.
+pub(super) const SWEEP: &str =
+    "write alpha_deg = { from = 0, to = 180, step = 0.5 }, in degrees; one angle has from = to";
 
 /// The keys of `alpha_deg` in `[sweep]`.
 const STEPS: [&str; 3] = ["from", "to", "step"];
@@ -89,7 +93,7 @@ pub(super) fn check_keys(file: &str, text: &str) -> Result<Lines, InputError> {
                 ),
                 None => InputError::new(
                     place,
-                    format!("there is no table [{name}]"),
+                    format!("there is no table [{}]", quoted(name)),
                     meant(name, &tables),
                 ),
             });
@@ -127,7 +131,7 @@ fn check_table(
     for (key, value) in content {
         let (name, line) = (key.get_ref().as_ref(), line_of(text, key.span().start));
         if !keys.contains(&name) {
-            let what = format!("there is no key `{name}` in [{table}]");
+            let what = format!("there is no key `{}` in [{table}]", quoted(name));
             let help = match OTHER_UNITS.iter().find(|(other, _)| *other == name) {
                 Some((_, instead)) => format!("write {instead}"),
                 None => meant(name, keys),
@@ -135,7 +139,12 @@ fn check_table(
             return Err(InputError::new(Place::line(file, line), what, help));
         }
         lines.0.insert((table.into(), name.into()), line);
-        if let ("sweep", "alpha_deg", DeValue::Table(steps)) = (table, name, value.get_ref()) {
+        if (table, name) == ("sweep", "alpha_deg") {
+            let DeValue::Table(steps) = value.get_ref() else {
+                // A list would be read as from, to and step, whatever it means.
+                let what = "the angles of the sweep are not given by `from`, `to` and `step`";
+                return Err(InputError::new(Place::line(file, line), what, SWEEP));
+            };
             // The parts of the sweep have its line.
             check_table(file, text, "sweep.alpha_deg", steps, &STEPS, lines)?;
         }
@@ -160,7 +169,7 @@ pub(super) fn not_read(file: &str, text: &str, error: &toml::de::Error) -> Input
         "write `name = value` below [table]: text in quotation marks, numbers with a decimal point and without \
          a unit"
     };
-    InputError::new(place, message, help)
+    InputError::new(place, shortened(&message), help)
 }
 
 /// The line of a byte, from 1.

@@ -1,12 +1,13 @@
 //! What is odd about a coefficient table: looked for before it is used.
 
+use super::cells::ONE_ANGLE;
 use super::{CoefficientTable, Row};
 use crate::stability::input::{Place, Remark};
 
 /// Steps above this, in degrees, are said to distort the range in which a section gallops.
 const LONGEST_GOOD_STEP: f64 = 3.0;
 
-/// A coefficient below this share of the largest one counts as 0.
+/// A coefficient below this share of what it varies by counts as 0.
 const NOTHING: f64 = 1e-3;
 
 /// The name of a coefficient, and how it is found in a row.
@@ -18,12 +19,15 @@ const MOMENT: Column = ("CM", |row| row.moment);
 
 /// What is odd about a table, in the order in which one should look at it.
 ///
-/// Looked for are angles that seem to be in radians, derivatives that seem to be per degree, steps too
+/// Looked for are ends that are read as one angle, holes and cells that are hardly there, angles that seem to be in radians, derivatives that seem to be per degree, steps too
 /// coarse for derivatives, and jumps at 0°, 180° and 360° of a curve that is its own mirror image.
 /// n log n in the number of rows.
 pub fn remarks(table: &CoefficientTable) -> Vec<Remark> {
     let mut remarks = Vec::new();
     remarks.extend(radians(table));
+    remarks.extend(joined_ends(table));
+    remarks.extend(holes(table));
+    remarks.extend(narrow_cells(table));
     remarks.extend(given_slopes(table));
     remarks.extend(coarse_steps(table));
     remarks.extend(jumps(table));
@@ -96,30 +100,105 @@ fn slopes(rows: &[Row], column: fn(&Row) -> f64) -> Vec<f64> {
         .collect()
 }
 
+/// First and last angles that are read as one.
+fn joined_ends(table: &CoefficientTable) -> Option<Remark> {
+    let [from, to] = table.joined?;
+    let [(first, angle), (last, _)] = table.ends();
+    Some(Remark {
+        place: Place::line(table.file(), last),
+        what: format!(
+            "{to}° is {from}° (line {first}) once round the circle but for {}°, less than {} % of the steps beside: both \
+             are read as {angle}°",
+            short(360.0 - (to - from)),
+            100.0 * ONE_ANGLE
+        ),
+    })
+}
+
+/// So many cells are named one by one.
+const MOST_NAMED: usize = 5;
+
+fn holes(table: &CoefficientTable) -> Vec<Remark> {
+    let (holes, widths) = (table.holes(), table.widths());
+    named(table, &holes, |from, to, place| {
+        let width = short(widths[place]);
+        format!(
+            "the table has a hole of {width}° from {from}° to {to}°, beside steps far narrower or wider than a quarter \
+             of the circle: angles within are outside of the table"
+        )
+    })
+}
+
+fn narrow_cells(table: &CoefficientTable) -> Vec<Remark> {
+    let (narrow, widths) = (table.narrow_cells(), table.widths());
+    named(table, &narrow, |from, to, place| {
+        let width = short(widths[place]);
+        format!(
+            "from {from}° to {to}° it is {width}°, far less than the steps beside: the difference of two rows so close \
+             says little of a slope, and bends a curve around them; keep one of them"
+        )
+    })
+}
+
+/// A remark for each of some cells, but for no more than five.
+fn named(
+    table: &CoefficientTable,
+    cells: &[usize],
+    what: impl Fn(f64, f64, usize) -> String,
+) -> Vec<Remark> {
+    let remark = |place: usize| {
+        let [(line, from), (next, to)] = table.cell(place);
+        let what = what(from, to, place);
+        Remark {
+            place: Place::line(table.file(), next),
+            what: format!("{what} (lines {line} and {next})"),
+        }
+    };
+    let mut remarks: Vec<Remark> = cells
+        .iter()
+        .take(MOST_NAMED)
+        .map(|own| remark(*own))
+        .collect();
+    if let (Some(last), true) = (remarks.last_mut(), cells.len() > MOST_NAMED) {
+        last.what += &format!("; and so in {} cells more", cells.len() - MOST_NAMED);
+    }
+    remarks
+}
+
+/// A width in degrees, without the rounding of a difference.
+fn short(degrees: f64) -> f64 {
+    (degrees * 1e9).round() / 1e9
+}
+
 fn coarse_steps(table: &CoefficientTable) -> Option<Remark> {
     let rows = table.rows();
-    let longest = rows
-        .windows(2)
-        .max_by(|one, other| {
-            let width = |pair: &[Row]| pair[1].angle - pair[0].angle;
-            width(one).total_cmp(&width(other))
-        })
-        .filter(|pair| pair[1].angle - pair[0].angle > LONGEST_GOOD_STEP * (1.0 + 1e-9))?;
+    let holes = table.holes();
+    let is_hole = |place: usize| holes.binary_search(&place).is_ok();
+    let width = |place: usize| rows[place + 1].angle - rows[place].angle;
+    let cells = (0..rows.len() - 1).filter(|&place| !is_hole(place));
+    let longest = cells
+        .max_by(|one, other| width(*one).total_cmp(&width(*other)))
+        .filter(|place| width(*place) > LONGEST_GOOD_STEP * (1.0 + 1e-9))?;
     let slopes = slopes(rows, LIFT.1);
     let changes = slopes.windows(2).map(|pair| (pair[1] - pair[0]).abs());
-    let (place, change) = changes
+    let beside_no_hole = |(place, _): &(usize, f64)| !is_hole(*place) && !is_hole(place + 1);
+    let most = changes
         .enumerate()
-        .max_by(|one, other| one.1.total_cmp(&other.1))?;
-    let corner = rows[place + 1];
+        .filter(beside_no_hole)
+        .max_by(|one, other| one.1.total_cmp(&other.1));
+    let change = most.map_or(String::new(), |(place, change)| {
+        let corner = rows[place + 1];
+        format!(
+            "; from one cell to the next dCL/dα changes by up to {change:.2} (at {}°, line {})",
+            corner.angle, corner.line
+        )
+    });
     Some(Remark {
-        place: Place::line(table.file(), longest[1].line),
+        place: Place::line(table.file(), rows[longest + 1].line),
         what: format!(
             "steps of up to {}° are coarse for derivatives, above {LONGEST_GOOD_STEP}° they distort the \
-             range in which a section gallops; from one cell to the next dCL/dα changes by up to {change:.2} \
-             (at {}°, line {})",
-            ((longest[1].angle - longest[0].angle) * 1e9).round() / 1e9,
-            corner.angle,
-            corner.line
+             range in which a section gallops{change}",
+            short(width(longest)),
         ),
     })
 }
@@ -185,18 +264,19 @@ fn large_parts(
     columns: &[Column],
     size: impl Fn(fn(&Row) -> f64) -> f64,
 ) -> Vec<String> {
-    let large = NOTHING * table.size();
-    let parts = columns.iter().map(|(name, column)| (name, size(*column)));
-    parts
-        .filter(|(_, size)| size.abs() > large)
-        .map(|(name, size)| format!("{name} is {size}"))
-        .collect()
+    let large = columns.iter().filter_map(|(name, column)| {
+        let size = size(*column);
+        (size.abs() > NOTHING * table.span(column)).then(|| format!("{name} is {size}"))
+    });
+    large.collect()
 }
 
 /// Whether the curves on both sides of 0° are mirror images: drag even, lift and moment odd.
 fn is_mirrored(table: &CoefficientTable) -> bool {
     let rows = table.rows();
-    let same = |one: f64, other: f64| (one - other).abs() <= 1e-6 * table.size();
+    let same = |(_, column): Column, row: &Row, image: &Row, sign: f64| {
+        (column(row) - sign * column(image)).abs() <= 1e-6 * table.span(column)
+    };
     let turned = |angle: f64| angle.rem_euclid(360.0);
     let mut pairs = 0;
     for row in rows {
@@ -213,9 +293,9 @@ fn is_mirrored(table: &CoefficientTable) -> bool {
         let Some(other) = images.next().filter(|_| !is_axis) else {
             continue;
         };
-        let fits = same(row.drag, other.drag)
-            && same(row.lift, -other.lift)
-            && same(row.moment, -other.moment);
+        let fits = same(DRAG, row, other, 1.0)
+            && same(LIFT, row, other, -1.0)
+            && same(MOMENT, row, other, -1.0);
         if !fits {
             return false;
         }

@@ -7,6 +7,7 @@ use crate::stability::companion;
 use crate::stability::coordinate::Coordinate;
 use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
 use crate::stability::error::StabilityError;
+use crate::stability::exact_section::ExactSection;
 use crate::stability::model::Model;
 use crate::stability::section::Section;
 use crate::stability::sensitivity::weakened_by;
@@ -46,6 +47,8 @@ pub struct Point {
     pub exact: Value,
     /// Whether the section is stable, with proof.
     pub verdict: Verdict,
+    /// Whether it [diverges](ExactSection::diverges), with proof: else what is unstable gallops.
+    pub diverges: bool,
     /// S by the companion matrix; `None` if it has no answer with a bounded error.
     pub companion: Option<Value>,
     /// S by the closed forms (21)–(23).
@@ -82,6 +85,7 @@ pub(in crate::stability) struct Answers {
     model: Model,
     exact: Value,
     verdict: Verdict,
+    diverges: bool,
     companion: Option<Value>,
     closed: Estimate,
     uniform: Estimate,
@@ -109,6 +113,8 @@ impl Answers {
         Ok(Answers {
             exact,
             verdict: verdict(section, &spectrum),
+            diverges: section.parameters().aerodynamic_stiffness
+                && ExactSection::from(section).diverges(),
             companion: companion.as_ref().and_then(value),
             closed,
             uniform,
@@ -136,6 +142,7 @@ impl Answers {
             modes,
             exact: self.exact,
             verdict: self.verdict,
+            diverges: self.diverges,
             companion: self.companion,
             closed: self.closed,
             uniform: self.uniform,

@@ -40,7 +40,7 @@ pub fn listed(ranges: &[AngleRange]) -> String {
     shown.join(", ") + &rest
 }
 
-/// Where a section gallops.
+/// Where a section is unstable.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnstableRange {
     /// The angles of the sweep.
@@ -49,6 +49,8 @@ pub struct UnstableRange {
     pub worst: f64,
     /// S there.
     pub damping: Value,
+    /// Whether it diverges there; else it gallops.
+    pub diverges: bool,
     /// The mode with the least damping there.
     pub mode: Option<FollowedMode>,
 }
@@ -83,6 +85,7 @@ pub(super) fn unstable(points: &[Point]) -> Vec<UnstableRange> {
             angles: range(run)?,
             worst: worst.angle,
             damping: worst.exact,
+            diverges: worst.diverges,
             mode: worst.critical().copied(),
         })
     };
