@@ -123,7 +123,7 @@ class Session:
         elif judgement.verdict == "undecided":
             found.table[key(claim, f"undecided, {judgement.truth}")] += 1
             reason = str(report.get("reason"))
-            if any(word in reason for word in ("disagree", "contradict", "mistake of sextic", "fault of")):
+            if any(word in reason for word in ("disagree", "two routes", "mistake of sextic", "fault of sextic")):
                 found.table[key(claim, "routes disagree")] += 1
                 found.notes[f"routes disagree: {claim.line}"] += 1
         elif judgement.result == OPEN:

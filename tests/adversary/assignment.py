@@ -9,7 +9,8 @@ from evaluation import Context, Evaluator
 from series import Mistake, NoValue, Unknown, constant, is_zero
 
 KEY = mpf(10) ** 50
-TRIES = 400
+TRIES = 200
+POOL = 63
 
 
 class Assignment:
@@ -51,6 +52,7 @@ class Sampler:
         self.document, self.random = document, random
         self.evaluator = Evaluator(document, [])
         self.evaluator.companions = [Context(base) for base in self.companions(8)]
+        self.pool = []
 
     def companions(self, count):
         """Assignments in general, with numbers that are tied by nothing."""
@@ -60,6 +62,16 @@ class Sampler:
             if assignment is not None:
                 found.append(assignment)
         return found
+
+    def pooled(self, count):
+        """Some of the assignments that were drawn for the document, in every manner."""
+        if not self.pool:
+            drawn = (self.assignment(MANNERS[number % len(MANNERS)]) for number in range(POOL))
+            self.pool = [assignment for assignment in drawn if assignment is not None] or [None]
+        if self.pool == [None]:
+            return []
+        start = self.random.randrange(len(self.pool))
+        return [self.pool[(start + number) % len(self.pool)] for number in range(min(count, len(self.pool)))]
 
     def assignment(self, manner, sign=0):
         """An assignment that satisfies everything, or nothing if none was found."""
@@ -149,16 +161,21 @@ class Sampler:
 
     def satisfies(self, found):
         """Whether an assignment satisfies all signs and assumptions."""
-        return self.broken(found) == 0
+        context = Context(found)
+        return self.broken_signs(found) == 0 and all(
+            self.holds(condition, context) for condition in self.document.assumptions)
 
     def broken(self, found):
         """How many signs and assumptions an assignment breaks."""
         context = Context(found)
-        count = sum(not self.holds(condition, context) for condition in self.document.assumptions)
-        for name, declared in self.document.variables.items():
-            if declared.sign and declared.kind != "function":
-                count += not compared(found.variable(("v", name, 0)), declared.sign, mpf(0))
-        return count
+        return self.broken_signs(found) + sum(
+            not self.holds(condition, context) for condition in self.document.assumptions)
+
+    def broken_signs(self, found):
+        """How many declared signs an assignment breaks."""
+        signed = ((name, declared.sign) for name, declared in self.document.variables.items()
+                  if declared.sign and declared.kind != "function")
+        return sum(not SIGNS[sign](found.variable(("v", name, 0))) for name, sign in signed)
 
     def holds(self, condition, context):
         """Whether both sides of a condition have values in the stated order."""
@@ -170,6 +187,11 @@ class Sampler:
             return False
 
 
+SIGNS = {
+    ">": lambda value: value > series.NOTHING, ">=": lambda value: value > -series.NOTHING,
+    "<": lambda value: value < -series.NOTHING, "<=": lambda value: value < series.NOTHING,
+    "!=": lambda value: abs(value) > series.NOTHING,
+}
 MANNERS = ("general", "integers", "fractions", "coincident", "angles", "large", "small")
 
 
@@ -186,6 +208,6 @@ def compared(left, sign, right):
 def equal(left, right):
     """Whether two numbers are the same; what lies between is not known."""
     size = 1 + abs(left) + abs(right)
-    if size > mpf(10) ** 55:
+    if size > series.TOO_LARGE:
         raise Unknown("too large a number")
     return is_zero((left - right) / size)

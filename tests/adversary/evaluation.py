@@ -4,6 +4,7 @@ An expression is a function of variables. `at`, `d`, `dt`, `truncate` and `coeff
 frame around what they act on, which replaces some variables, or adds a small quantity to them. A
 name is looked up from the innermost frame outwards, and from the last one in the assignment."""
 
+from fractions import Fraction
 from math import comb
 
 from mpmath import mpf
@@ -16,7 +17,7 @@ from series import (Mistake, NoValue, Series, Unknown, add, compose, constant, i
 from syntax import Node, node, number
 
 COMPANIONS = 6
-SHIFT = mpf("0.83712519")
+SHIFTS = tuple(number(Fraction(n, 10 ** 8)) for n in (83712519, -61803397, 127323954))
 
 
 class Frame:
@@ -442,7 +443,8 @@ class Evaluator:
         if frame.kind == "at":
             return self.scalar(frame.variables[variable], context.parent)
         if frame.kind == "shift":
-            return Series(context.level, [SHIFT, mpf(1)] + [mpf(0)] * (frame.order - 1))
+            shift = self.scalar(frame.variables[variable], context.parent)
+            return Series(context.level, [shift, mpf(1)] + [mpf(0)] * (frame.order - 1))
         return perturbed(self.look_up(variable, context.parent), frame, context.level)
 
     def moving(self, variable, context):
@@ -588,15 +590,24 @@ class Evaluator:
         return self.occurring[part]
 
     def coefficients(self, polynomial, variable, context):
-        """All coefficients, by an expansion about some place, up to a high degree."""
+        """All coefficients, by an expansion about some place; it must have a value at its own."""
         self.value(polynomial, context)
-        found = self.variable(variable)
+        for shift in SHIFTS:
+            try:
+                return self.coefficients_about(shift, polynomial, self.variable(variable), context)
+            except NoValue:
+                continue
+        raise Unknown("a polynomial without values at other places")
+
+    def coefficients_about(self, shift, polynomial, variable, context):
+        """The same about this place."""
+        about = self.value(shift, context)
         for order in (6, 14, 30):
-            inner = context.within(Frame.of("shift", [(found, None)], order))
+            inner = context.within(Frame.of("shift", [(variable, shift)], order))
             terms = self.scalar(polynomial, inner)
             terms = terms.terms if series.level(terms) == inner.level else [terms] + [mpf(0)] * order
             if all(series.is_null(term) for term in terms[order - 1:]):
-                return [total(multiply(terms[k], comb(k, n) * (-SHIFT) ** (k - n)) for k in range(n, order + 1))
+                return [total(multiply(terms[k], comb(k, n) * (-about) ** (k - n)) for k in range(n, order + 1))
                         for n in range(order + 1)] + [mpf(0)] * 64
         raise Unknown("not a polynomial, or one of a high degree")
 

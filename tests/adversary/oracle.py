@@ -6,13 +6,14 @@ from mpmath import mpf
 
 import matrices
 import series
-from assignment import MANNERS, Sampler, compared, equal
+from assignment import Sampler, compared, equal
 from evaluation import Context, Frame
 from matrices import rows, shape
 from series import Mistake, NoValue, Series, Unknown, constant, is_zero, subtract
 from syntax import comparison
 
 BEYOND = 6
+FOUND = mpf(10) ** -170
 
 
 class Finding:
@@ -91,13 +92,8 @@ class Oracle:
 
     def assignments(self, claim, conditions, count):
         """Assignments in every manner, then some at which something vanishes, and beside them."""
-        found = []
-        for number in range(count):
-            manner = MANNERS[number % len(MANNERS)]
-            assignment = self.sampler.assignment(manner)
-            if assignment is not None:
-                found.append(assignment)
-                yield assignment
+        found = self.sampler.pooled(count)
+        yield from found
         for assignment in found[: max(2, count // 3)]:
             yield from self.edges(claim, conditions, assignment)
 
@@ -116,6 +112,7 @@ class Oracle:
             value = self.zero(part, frames, assignment, variable)
             if value is None:
                 continue
+            value = mpf(0) if abs(value) < series.NOTHING else value
             for shift in (0, mpf(10) ** -9, -(mpf(10) ** -9)):
                 near = assignment.changed(variable, value + shift)
                 if self.sampler.satisfies(near):
@@ -130,7 +127,7 @@ class Oracle:
             x, y = assignment.variable(variable), assignment.variable(variable) + mpf("0.17")
             fx, fy = at(x), at(y)
             for _ in range(40):
-                if abs(fy) < mpf(10) ** -90:
+                if abs(fy) < FOUND:
                     return y
                 if is_zero(fy - fx):
                     return None
@@ -138,7 +135,7 @@ class Oracle:
                 if abs(y) > 10 ** 12:
                     return None
                 fy = at(y)
-            return y if abs(fy) < mpf(10) ** -90 else None
+            return y if abs(fy) < FOUND else None
         except (NoValue, Unknown, Mistake, ZeroDivisionError):
             return None
 

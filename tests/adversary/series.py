@@ -5,9 +5,10 @@ number or the series; derivatives and Taylor polynomials are read off coefficien
 
 from mpmath import mp, mpc, mpf
 
-mp.dps = 120
-NOTHING = mpf(10) ** -60
-SOMETHING = mpf(10) ** -48
+mp.dps = 250
+NOTHING = mpf(10) ** -150
+SOMETHING = mpf(10) ** -110
+TOO_LARGE = mpf(10) ** 95
 
 
 class NoValue(Exception):

@@ -162,7 +162,9 @@ class Units:
         if name in self.document.templates:
             names, body = self.document.templates[name]
             return self.of(written(body, dict(zip(names, arguments))))
-        return [[self.function(self.evaluator.variable(part))]]
+        variable = self.evaluator.variable(part)
+        same(self.one(arguments[0]), self.one(self.document.variables[variable[1]].argument))
+        return [[self.function(variable)]]
 
     def call(self, name, arguments):
         """The units of a built-in function."""
