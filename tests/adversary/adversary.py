@@ -13,6 +13,7 @@ import sys
 import time
 
 import documents
+import matchings
 import reader
 from judgement import OPEN, WRONG, judged
 from oracle import Oracle
@@ -115,6 +116,14 @@ class Session:
             self.count(judgement, by_label[claim.label], report, found)
             if judgement.result == WRONG:
                 self.report(tool, document, lines, by_label, claim, judgement, report, found)
+
+        for report in tool.matchings() if oracle.document.matchings else []:
+            claim = by_label[f"({report['id']})"]
+            judgement = matchings.judged(oracle, report, self.options.assignments)
+            self.count(judgement, claim, report, found)
+            if judgement.result == WRONG:
+                text = document.text([line for line in lines if line not in claims] + [claim.line])
+                found.wrong.append(("wrong: matching", claim.line, judgement.why, text, document.imports))
 
     def count(self, judgement, claim, report, found):
         """Counts a judgement in the table."""

@@ -5,10 +5,12 @@ from fractions import Fraction
 from mpmath import mp, mpc, mpf
 
 import series
-from evaluation import Context, Evaluator
+from evaluation import Evaluator
+from frame import Context
 from series import Mistake, NoValue, Unknown, constant, is_zero
 
 KEY = mpf(10) ** 50
+CLOSE = mpf(10) ** -5
 TRIES = 200
 POOL = 63
 
@@ -18,7 +20,7 @@ class Assignment:
 
     def __init__(self, values, draw, functions=None, draw_variable=None):
         self.values, self.draw, self.functions = values, draw, dict(functions or {})
-        self.draw_variable = draw_variable
+        self.draw_variable, self.near = draw_variable, []
 
     def variable(self, variable):
         """The value of a parameter, an angle, a coordinate or one of its rates."""
@@ -30,8 +32,15 @@ class Assignment:
         """The value of a derivative of a function at a number; the same for the same number."""
         key = (name, order, int(mp.nint(argument * KEY)))
         if key not in self.functions:
-            self.functions[key] = self.draw()
+            self.functions[key] = self.shown_near(name, order, argument)
         return self.functions[key]
+
+    def shown_near(self, name, order, argument):
+        """The value that is shown of a function at a rounded argument, or a new one."""
+        for other, derivative, place, value in self.near:
+            if (other, derivative) == (name, order) and abs(place - argument) <= CLOSE * (1 + abs(place)):
+                return value
+        return self.draw()
 
     def changed(self, variable, value):
         """The assignment with another value of a variable, and the same functions."""

@@ -4,6 +4,7 @@ import argparse
 import os
 import sys
 
+import matchings
 import reader
 from judgement import WRONG, judged
 from oracle import Oracle
@@ -42,6 +43,10 @@ def check(path, options):
             found = judged(oracle, claim, run.reports[claim.label], options.assignments)
             print(f"  {claim.label}: {found.verdict}: {found.result} {found.truth or ''} {found.why[:400]}")
             wrong += found.result == WRONG
+    for report in tool.matchings(os.path.basename(path)) if oracle.document.matchings else []:
+        found = matchings.judged(oracle, report, options.assignments)
+        print(f"  {report['name']}: matching: {found.result} {found.why[:400]}")
+        wrong += found.result == WRONG
     return wrong
 
 

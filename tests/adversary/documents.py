@@ -70,7 +70,7 @@ def vocabulary(random, complex_names):
         names["meaning"].update({"P": "p^2 + l", "U": "%/p", "flat": "p = 0"})
         names["template"] += ["U"]
         names["substitution"] += ["flat"]
-    head += ["parameter a, b, c, x, y : 1", "parameter k, h : 1 > 0", "parameter n : 1 != 0",
+    head += ["parameter a, b, c, x, y : 1", "parameter k, h : 1 > 0", "parameter n : 1 != 0", "parameter u_1, u_2 : 1",
              "parameter L, M_1 : m", "parameter t : s > 0", "angle α, β, γ", "coordinate q, r : 1",
              "coordinate θ : rad", "imaginary i"]
     names["argument"] = {"F": random.choice(["x", "x", "a", "x + y", "2*a"]),
@@ -120,8 +120,10 @@ def claim(writer, number):
         return approximation(writer, label)
     if random < 0.92:
         return ill_formed(writer, label)
-    if random < 0.96:
+    if random < 0.95:
         return eigenpair(writer, label)
+    if random < 0.97:
+        return matching(writer, label, number)
     return unlike(writer, label)
 
 
@@ -243,6 +245,21 @@ def eigenpair(writer, label):
     value, vector = writer.choice((f"{x} + {y}", "[1; 1]"), (f"{x} - {y}", "[1; -1]"), (f"{x} - {y}", "[-1; 1]"), (f"{x}", "[1; 1]"), (f"{x} + {y}", f"[{writer.of('positive')}; 1]"))
     mass = writer.choice("identity(2)", "diagonal(1, 1)", written_matrix([["2", "0"], ["0", "2"]]))
     return RandomClaim(f"eigenpair {label} of [{x}, {y}; {y}, {x}], {mass}: value {value} vector {vector}", label, "eigenpairs", "equation")
+
+
+def matching(writer, label, number):
+    """A matching with one unknown or two, which may be singular, and what is singular may cancel."""
+    z, x, y = writer.random.sample(writer.names["free"], 3)
+    a, k = writer.angle(), writer.of("positive")
+    factors = [f"sin({a})", f"({x} - {y})", x, f"sqrt({k})", f"({x} - sqrt({k}))", f"({x}^2 - {y}^2)", f"cos({a})^2", "1", f"({x}*{y} - {k})", k]
+    one, other = writer.choice(*factors), writer.choice(*factors)
+    right = writer.choice(k, y, f"{one}*{y}", f"{x} + {k}", f"{one}*{other}", "1", f"{one}^2", f"({x} - {y})*{k}")
+    text = writer.choice(
+        f"{z} + {right} with {z} + {one}*u_1 in {z} unknown u_1 at 1",
+        f"{z}^2 + {right}*{z} + {x} with {z}^2 + ({one}*u_1 + {y}*u_2)*{z} + {other}*u_2 in {z} unknown u_1, u_2 at {z}, 1",
+        f"{z}^2 + {right}*{z} + {k} with ({z} + {one}*u_1)*({z} + u_2) in {z} unknown u_1, u_2 at {z}, 1 neglect u_1*u_2"
+        if writer.chance(0.1) else f"{right}*{z}^2 + {x} with {z}^2*({one}*u_1 - {other}*u_2) + {y}*u_2 in {z} unknown u_1, u_2 at {z}^2, 1")
+    return RandomClaim(f"match {label} match_{number}: {text}", label, "matchings", "matching")
 
 
 def unlike(writer, label):

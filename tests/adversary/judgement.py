@@ -3,7 +3,7 @@
 from series import Mistake, NoValue, Unknown
 from syntax import Unreadable
 from units import Units
-from witness import CONFIRMED, EQUAL, WITHOUT, Point
+from witness import CONFIRMED, EQUAL, Point
 
 RIGHT, WRONG, OPEN = "right", "wrong", "open"
 
@@ -85,14 +85,14 @@ def refuted(oracle, claim, report):
         if claim.order is not None:
             return terms_differ(oracle, claim, assignment)
         finding = oracle.judge(claim, assignment)
-        return {"false": CONFIRMED, "true": EQUAL}.get(finding.what, WITHOUT + ": " + finding.why)
+        return {"false": CONFIRMED, "true": EQUAL}.get(finding.what, f"{finding.what}: {finding.why}")
 
     result = point.check(differs)
     if result == CONFIRMED:
         return Judgement("refuted", RIGHT)
     why = f"{result} at {witness['point']}"
     seems = truth(oracle, claim, 10)
-    if point.unread and seems != "true":
+    if point.unread and seems != "true" or result.startswith("unknown"):
         return Judgement("refuted", OPEN, f"{why}; not read: {point.unread}", seems)
     return Judgement("refuted", WRONG, why, seems)
 
@@ -102,9 +102,9 @@ def terms_differ(oracle, claim, assignment):
     try:
         agree = oracle.expansion(claim, assignment, beyond=0)
     except NoValue as reason:
-        return f"{WITHOUT}: {reason}"
+        return f"none: {reason}"
     except (Unknown, Mistake) as reason:
-        return f"{WITHOUT}: {reason}"
+        return f"unknown: {reason}"
     return EQUAL if all(agree) else CONFIRMED
 
 

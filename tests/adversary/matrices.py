@@ -2,7 +2,7 @@
 
 from mpmath import mpf
 
-from series import (Mistake, NoValue, Unknown, add, constant, divide, invert, is_zero, multiply, negate, subtract,
+from series import (Mistake, NoValue, Series, Unknown, add, constant, divide, invert, is_zero, multiply, negate, subtract,
                     total)
 
 
@@ -109,7 +109,9 @@ def eliminated(lines, n):
     for k in range(n):
         best = max(range(k, n), key=lambda i: abs(constant(lines[i][k])))
         if is_zero(constant(lines[best][k])):
-            raise Unknown("a large singular matrix")
+            if any(isinstance(x, Series) for line in lines for x in line):
+                raise Unknown("a large singular matrix")
+            return mpf(0)
         if best != k:
             lines[k], lines[best], found = lines[best], lines[k], negate(found)
         found = multiply(found, lines[k][k])

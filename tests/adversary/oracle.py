@@ -7,7 +7,7 @@ from mpmath import mpf
 import matrices
 import series
 from assignment import Sampler, compared, equal
-from evaluation import Context, Frame
+from frame import Context, Frame
 from matrices import rows, shape
 from series import Mistake, NoValue, Series, Unknown, constant, is_zero, subtract
 from syntax import comparison

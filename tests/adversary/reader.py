@@ -123,7 +123,7 @@ class Statement:
         keyword = re.match(r"ill-formed\b|\w+", text)
         keyword = keyword.group() if keyword else ""
         rest = text[len(keyword):]
-        if keyword not in KEYWORDS or rest.lstrip()[:2] == ":=":
+        if keyword not in KEYWORDS or re.match(r"\s*(\([\w\s,]*\)\s*|,[\w\s,]*)?:=", rest):
             self.definition(text)
         elif keyword == "import":
             path = os.path.join(self.folder, re.search(r'"([^"]*)"', rest).group(1))

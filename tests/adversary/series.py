@@ -241,7 +241,7 @@ def direction(x, y):
             return mpf(0) if x > 0 else +mp.pi
         return mp.atan2(y, x)
     if is_zero(constant(y)) and constant(x) < 0:
-        raise NoValue("the angle is not smooth at half a turn") if not is_null(y) else Unknown("half a turn")
+        raise Unknown("a derivative of the angle at half a turn")
     x0 = x.terms[0] if level(x) == top else x
     y0 = y.terms[0] if level(y) == top else y
     across = subtract(multiply(y, x0), multiply(x, y0))

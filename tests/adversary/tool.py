@@ -50,6 +50,15 @@ class Tool:
             return Run(ABORTED if "two routes" in said else REFUSED, said=said, lines=lines)
         return Run(DONE, {claim["label"]: claim for claim in found}, said, lines)
 
+    def matchings(self, name="document.md"):
+        """The matchings of the document that was audited last."""
+        try:
+            done = subprocess.run([self.command, "match", "--format", "json", os.path.join(self.folder, name)],
+                                  capture_output=True, timeout=SECONDS, preexec_fn=limit, check=False)
+            return json.loads(done.stdout)["matchings"]
+        except (subprocess.TimeoutExpired, ValueError, KeyError):
+            return []
+
     def write(self, name, text):
         """A file in the folder of the runs."""
         path = os.path.join(self.folder, name)

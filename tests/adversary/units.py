@@ -4,7 +4,7 @@ A unit is a tuple of exponents of kg, m, s, A and K; that of 0 is nothing, which
 
 from fractions import Fraction
 
-from evaluation import exact, written
+from writing import exact, written
 from series import Mistake, Unknown
 
 ONE = (Fraction(0),) * 5

@@ -6,12 +6,13 @@ from mpmath import mp, mpc, mpf
 
 import series
 from assignment import MANNERS, Assignment
-from evaluation import Context, exact
+from frame import Context
+from writing import exact
 from series import Mistake, NoValue, Unknown, constant
 from syntax import Unreadable, expression
 
 CLOSE = mpf(10) ** -9
-NEVER, WITHOUT, EQUAL, CONFIRMED = "no assignment", "no values", "equal sides", "confirmed"
+NEVER, EQUAL, CONFIRMED = "no assignment", "equal sides", "confirmed"
 
 
 class Point:
@@ -19,7 +20,7 @@ class Point:
 
     def __init__(self, oracle, shown):
         self.oracle, self.document = oracle, oracle.document
-        self.values, self.functions, self.turns, self.unread = {}, [], [], []
+        self.values, self.functions, self.turns, self.unread, self.near = {}, [], [], [], []
         for name, text in shown.items():
             try:
                 self.read(expression(name), value(text), name)
@@ -34,6 +35,8 @@ class Point:
         variable = self.oracle.evaluator.variable(part)
         if variable is None:
             self.unread.append(name)
+        elif variable[0] == "f" and "." in name:
+            self.near.append((variable[1], variable[2], of(variable[3]), number))
         elif variable[0] == "f":
             self.functions.append((variable, number))
         else:
@@ -62,6 +65,7 @@ class Point:
         sampler, random = self.oracle.sampler, self.oracle.random
         found = Assignment(dict(self.values), lambda: sampler.real(manner, 0))
         found.draw_variable = lambda variable: sampler.value(variable, manner, 0, found)
+        found.near = self.near
         shown = set(self.values)
         for form, measure in self.measures():
             free = [variable for variable in form if variable not in shown]
@@ -169,6 +173,8 @@ def of(part):
         return mpf(parts[0].numerator) / parts[0].denominator
     if kind == "negate":
         return -of(parts[0])
+    if kind == "name" and parts[0] in ("i", "I"):
+        return mpc(0, 1)
     if kind == "call" and parts[0] == "sqrt":
         inner = series.tidy(of(parts[1]))
         return mpc(0, mp.sqrt(-inner)) if inner < 0 else mp.sqrt(inner)
