@@ -17,6 +17,7 @@ import matchings
 import reader
 from judgement import OPEN, WRONG, judged
 from oracle import Oracle
+from reduction import Reduction
 from syntax import Unreadable
 from tool import ABORTED, DONE, LATE, REFUSED, Tool
 
@@ -129,6 +130,8 @@ class Session:
         """Counts a judgement in the table."""
         if judgement.result == WRONG:
             found.table[key(claim, "wrong")] += 1
+        elif judgement.verdict in ("skipped", "refused"):
+            found.table[key(claim, "refused")] += 1
         elif judgement.verdict == "undecided":
             found.table[key(claim, f"undecided, {judgement.truth}")] += 1
             reason = str(report.get("reason"))
@@ -144,33 +147,11 @@ class Session:
     def report(self, tool, document, lines, by_label, claim, judgement, report, found):
         """Keeps a wrong verdict with a small document."""
         own = next(line for line in lines if line == by_label[claim.label].line)
-        small = self.reduced(tool, document, [line for line in lines if line not in
-                                              {c.line for c in document.claims}], own, claim.label, judgement)
+        claims = {c.line for c in document.claims}
+        reduction = Reduction(tool, document, claim.label, judgement.verdict, self.options.assignments)
+        small = reduction.smallest([line for line in lines if line not in claims], own)
         found.wrong.append((f"wrong: {judgement.verdict}", own, f"{judgement.why[:600]}; conditions {report['conditions']}",
                             small, document.imports))
-
-    def reduced(self, tool, document, head, own, label, judgement):
-        """A document from which no statement can be dropped without losing the wrong verdict."""
-        head = list(head)
-        for line in list(reversed(head)):
-            rest = [other for other in head if other is not line]
-            text = document.text(rest + [own])
-            run = tool.audit(text, document.imports)
-            report = run.reports.get(label)
-            if run.outcome != DONE or report is None or report["verdict"] != judgement.verdict:
-                continue
-            if self.still_wrong(tool, text, label, report):
-                head = rest
-        return document.text(head + [own])
-
-    def still_wrong(self, tool, text, label, report):
-        """Whether the verdict on a smaller document is wrong, too."""
-        try:
-            oracle = Oracle(reader.read(tool.write("document.md", text)), "reduced")
-            claim = next(claim for claim in oracle.document.claims if claim.label == label)
-            return oracle.satisfiable() and judged(oracle, claim, report, self.options.assignments).result == WRONG
-        except (Unreadable, StopIteration):
-            return False
 
 
 def key(claim, outcome):

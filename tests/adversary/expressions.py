@@ -162,6 +162,8 @@ class Writer:
             return self.of("coordinate")
         if form == 10:
             return self.of("defined")
+        if self.names["complex"] and self.chance(0.15):
+            return self.of("complex")
         return self.of("function")
 
     def algebraic(self, depth):

@@ -19,7 +19,9 @@ def judged(oracle, claim, report, count):
     """The judgement of one verdict, by as many assignments as are counted, and those at edges."""
     verdict = report["verdict"]
     try:
-        if verdict in ("undecided", "skipped"):
+        if verdict == "skipped":
+            return Judgement(verdict, OPEN)
+        if verdict == "undecided":
             return Judgement(verdict, OPEN, truth=truth(oracle, claim, count // 2))
         if verdict == "ill-formed":
             return ill_formed(oracle, claim)

@@ -9,7 +9,7 @@ import series
 from assignment import Sampler, compared, equal
 from frame import Context, Frame
 from matrices import rows, shape
-from series import Mistake, NoValue, Series, Unknown, constant, is_zero, subtract
+from series import Mistake, NoValue, Series, Unknown, constant, is_zero
 from syntax import comparison
 
 BEYOND = 6
@@ -151,12 +151,8 @@ def verdict(left, sign, right):
     """Whether two values are equal, or in the stated order."""
     left, right = plain(left), plain(right)
     if shape(left) != shape(right):
-        if is_scalar_zero(left) or is_scalar_zero(right):
-            pairs = [(entry, mpf(0)) for side in (left, right) for line in rows(side) for entry in line]
-        else:
-            raise Mistake("shapes do not fit")
-    else:
-        pairs = [pair for lines in zip(rows(left), rows(right)) for pair in zip(*lines)]
+        raise Mistake("shapes do not fit")
+    pairs = [pair for lines in zip(rows(left), rows(right)) for pair in zip(*lines)]
     if all(compared(a, sign, b) for a, b in pairs):
         return Finding("true")
     return Finding("false", "; ".join(f"{series.mp.nstr(a, 20)} {sign} {series.mp.nstr(b, 20)}" for a, b in pairs))
@@ -165,11 +161,3 @@ def verdict(left, sign, right):
 def plain(value):
     """A value without small quantities."""
     return matrices.entrywise(constant, value)
-
-
-def is_scalar_zero(value):
-    """Whether a value is the number 0, which fits every shape."""
-    return not isinstance(value, matrices.Matrix) and is_zero(value)
-
-
-__all__ = ["Oracle", "Finding", "subtract"]

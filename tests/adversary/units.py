@@ -221,8 +221,9 @@ class Units:
         """Whether the sides of a claim can be compared."""
         try:
             left, right = self.of(claim.left), self.of(claim.right)
-            if [[None]] not in (left, right):
-                self.sum(left, right)
+            if [[None]] in (left, right) and shape(left) != shape(right):
+                raise Unknown("0 beside a matrix")
+            self.sum(left, right)
         except Mistake:
             return False
         return True
