@@ -1,11 +1,11 @@
 """Random documents: declarations, assumptions and definitions, and many claims over them."""
 
-from expressions import Polynomial, Writer, braced, written_matrix
+from expressions import Writer, braced, written_matrix
 from identities import FAMILIES
 
 ASSUMPTIONS = (
     "0 < α", "α < 1/2", "a < b", "k < h", "x^2 < 4", "y > 1", "sin(β) > 0", "cos(θ) > 0", "F > 0", "x > y",
-    "-1 < γ", "γ <= 1", "a^2 + b^2 > 1", "a - b > 0", "h < 1", "cos(α) > 0", "a != 0", "x*y > 0",
+    "-1 < γ", "γ <= 1", "a^2 + b^2 > 1", "a - b > 0", "h < 1", "cos(α) > 0", "x*y > 0",
 )
 BASE = """# What others import
 
@@ -46,8 +46,7 @@ def drawn(random, count, complex_names):
     writer = Writer(random, names)
     head += definitions(writer)
     if random.random() < 0.4:
-        known = [a for a in ASSUMPTIONS if not ("a != 0" in a)]
-        head += [f"assume {a}" for a in random.sample(known, random.choice((1, 1, 2)))]
+        head += [f"assume {a}" for a in random.sample(ASSUMPTIONS, random.choice((1, 1, 2)))]
     claims = [claim(writer, number) for number in range(1, count + 1)]
     return RandomDocument(head, [c for c in claims if c is not None], imports)
 
@@ -195,13 +194,13 @@ def inequality(writer, label):
     by_sign = (f"{u}^2 >= 0", f"{p} > 0", f"{p} + {u}^2 > 0", f"sin({a})^2 <= 1", f"{k}/{p} >= 0", f"-{p} < 0", f"sqrt({p}) > 0",
                f"1 + {u}^2 >= 1", f"sin({a}) <= 1", f"{x}^2 - 2*{x} + 1 >= 0", f"{x}^2 + {k} > {x}", f"sin(θ)^2 <= θ^2",
                f"{u}^2 at {writer.replacements(1, True)} >= 0", f"{p} > {k}", f"{u} > 0", f"{u} >= {braced(writer.real(1))}",
-               f"angle({k}, {x}) <= 2*angle(0, 1)", f"{f}({x})^2 + 1 > 0", f"abs_{x}" if False else f"sqrt({x}^2) >= {x}",
+               f"angle({k}, {x}) <= 2*angle(0, 1)", f"{f}({x})^2 + 1 > 0", f"sqrt({x}^2) >= {x}",
                f"cos({a}) >= -1", f"{x}^4 + 1 > {x}^2", f"{k} + 1/{k} >= 2")
     form = writer.random.randrange(5)
     text = writer.choice(*by_identity) if form < 2 else writer.choice(*by_sign) if form < 4 else known
     family = family if form < 2 else "signs" if form < 4 else "assumed"
     keyword = writer.choice("claim", "claim", "refute")
-    return RandomClaim(f"{keyword} {label}: {text.replace('!=', '>')}", label, family, "inequality")
+    return RandomClaim(f"{keyword} {label}: {text}", label, family, "inequality")
 
 
 def approximation(writer, label):
@@ -216,7 +215,7 @@ def approximation(writer, label):
         (f"{f}({x})", f"{f}(0) + {x}*{f}'(0)", x), (f"({x} + {y})^2 + {v}", f"{y}^2 + 2*{x}*{y} + {v}", x),
         (f"cos({one})*{v}", f"(1 - {one}^2/2)*{v}", one), (f"1/({y} - {x})", f"1/{y} + {x}/{y}^2", x),
         (f"truncate({v}, [{x}], 1)", v, x), (f"{v} at ({x} = {y}*{x})", f"({v} at ({x} = 0)) + {x}*{y}*(d({v}, {x}) at ({x} = 0))", x),
-        (f"sin({x}*{c})" if False else f"tan({a})", f"{a} + {a}^3/3", a), (f"angle({c}, {x})", f"{x}/{c}", x), (f"angle(cos({e}), sin({e}) + {x}*0)", e, x),
+        (f"tan({a})", f"{a} + {a}^3/3", a), (f"angle({c}, {x})", f"{x}/{c}", x), (f"angle(cos({e}), sin({e}) + {x}*0)", e, x),
         (f"{f}*{x} + {f}^2", f"{f}*{x}", f), (f"sqrt(1 - sin(2*{one}))", f"cos({one}) - sin({one})", one), (f"{x}*{y}/({c} + {x}*{y})", "0", f"{x}, {y}"),
         (f"dt(q^2)", "0", "q"), (f"{x}/{x} + {v}", f"1 + {v}", writer.choice(x, y)), (f"sqrt(({x} - {y})^2 + {c})", f"sqrt({y}^2 + {c})", x),
     ]
@@ -266,6 +265,3 @@ def unlike(writer, label):
     """Two random sides."""
     sign = writer.choice("==", "<", ">=")
     return RandomClaim(f"claim {label}: {writer.real(3)} {sign} {writer.real(2)}", label, "random", "equation" if sign == "==" else "inequality")
-
-
-__all__ = ["RandomDocument", "RandomClaim", "drawn", "Polynomial"]

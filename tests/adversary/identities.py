@@ -1,7 +1,7 @@
 """Pairs of expressions that are equal by construction, wherever they have values; and some that
 only look so. Each function draws a pair; what is true of it is for the oracle to say."""
 
-from expressions import Polynomial, braced, written_matrix
+from expressions import braced, written_matrix
 
 
 def rearranged(w):
@@ -247,4 +247,3 @@ FAMILIES = {
     "complex values": complexes, "complex names": complex_parameters, "coefficients": coefficients,
     "matrices": matrices, "rates": rates, "expansions": expansions, "names": names,
 }
-__all__ = ["FAMILIES", "Polynomial"]

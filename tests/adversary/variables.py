@@ -1,7 +1,7 @@
 """Variables: names, rates, and the derivatives of declared functions at arguments."""
 
 import series
-from frame import Frame, perturbed
+from frame import perturbed
 from mpmath import mpf
 from series import NoValue, Series, Unknown, compose, constant, is_zero
 
