@@ -1,5 +1,6 @@
 //! The integration tests, in one binary.
 
+mod adversary;
 mod algebra;
 mod command;
 mod compile;
