@@ -174,7 +174,7 @@ fn nothing_is_refuted_without_a_point() {
 }
 
 #[test]
-fn a_matching_with_wrong_residuals_stops_the_audit() {
+fn a_matching_with_wrong_residuals_is_refused() {
     let mut elaborator = elaborator();
     let text = "match (1) s: λ^2 + x*λ + y with (λ + b)*(λ + x) in λ unknown b at λ^1";
     let StatementKind::Match(matching) = statement(text) else {
