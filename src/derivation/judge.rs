@@ -49,9 +49,6 @@ pub struct Judge<'a> {
     salt: u64,
 }
 
-/// What became of a check: at how many points it passed, or why there were not enough.
-pub type Checked = Result<usize, String>;
-
 impl<'a> Judge<'a> {
     /// A judge over the names of a document, at assignments that satisfy its assumptions; the `salt`
     /// depends on the text of the document.
@@ -69,26 +66,21 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// The verdicts on findings, with the matchings checked too.
-    ///
-    /// # Errors
-    ///
-    /// A [`Diagnostic`] where a matching cannot be checked.
+    /// The verdicts on findings, and of each matching what is wrong with it, if anything is.
     pub fn judge_all(
-        &mut self,
+        &self,
         findings: &'a [Finding],
         matchings: &'a [MatchingCheck],
-    ) -> Result<Vec<Claim>, Diagnostic> {
+    ) -> (Vec<Claim>, Vec<Option<Diagnostic>>) {
         let meanings = meanings(self.scope, &self.signs);
         let mut court = Court::new(self, &meanings);
         let claims = findings.iter().map(|finding| court.claim(finding));
         let claims = claims.collect();
-        for matching in matchings {
+        let wrong = matchings.iter().map(|matching| {
             court.renew();
-            let checked = matching.check(&mut court.unfolding);
-            matching.conclude(checked)?;
-        }
-        Ok(claims)
+            matching.check(&mut court.unfolding).err()
+        });
+        (claims, wrong.collect())
     }
 }
 

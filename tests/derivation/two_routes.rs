@@ -91,9 +91,12 @@ fn judged_by_points(
     findings: &[Finding],
     matchings: &[MatchingCheck],
 ) -> Result<Vec<Claim>, DiagnosticKind> {
-    let mut judge = Judge::new(&elaborator.scope, &[], BTreeMap::<String, Signs>::new(), 0);
-    let claims = judge.judge_all(findings, matchings);
-    claims.map_err(|error| error.kind)
+    let judge = Judge::new(&elaborator.scope, &[], BTreeMap::<String, Signs>::new(), 0);
+    let (claims, wrong) = judge.judge_all(findings, matchings);
+    match wrong.into_iter().flatten().next() {
+        Some(error) => Err(error.kind),
+        None => Ok(claims),
+    }
 }
 
 /// What becomes of a finding about one assertion when another one is evaluated at points: the verdict, and

@@ -1,7 +1,6 @@
 //! The verdicts on what a document asserts, where a statement that fails costs only what builds on it.
 
 use std::collections::BTreeMap;
-use std::slice::from_ref;
 
 use crate::derivation::assertion::Finding;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
@@ -23,8 +22,14 @@ impl Reader<'_> {
         let relations = self.assumptions.iter().map(|own| own.relation.clone());
         let relations: Vec<Relation> = relations.collect();
         let scope = &self.elaborator.scope;
-        let mut judge = Judge::new(scope, &relations, self.signs(), self.salt());
-        let (mut claims, failed) = judged(&mut judge, read, &self.here.path);
+        let judge = Judge::new(scope, &relations, self.signs(), self.salt());
+        let (mut claims, wrong) = judge.judge_all(&read.findings, &read.checks);
+        let wrong = read.matchings.iter().zip(wrong);
+        let failed = wrong.filter_map(|(matched, diagnostic)| {
+            let place = (self.here.path.clone(), matched.label.span.start);
+            Some((place, diagnostic?))
+        });
+        let failed = failed.collect();
         for (claim, finding) in claims.iter().zip(&read.findings) {
             if claim.fault {
                 let diagnostic = disagreement(finding);
@@ -73,36 +78,8 @@ fn skip(claim: &mut Claim, reason: &Reason, path: &str) -> Skipped {
     }
 }
 
-/// The verdicts on all findings at once, and each by itself where one of them, or a matching, fails.
-fn judged<'a>(judge: &mut Judge<'a>, read: &'a Read, path: &str) -> (Vec<Claim>, FailedMatchings) {
-    if let Ok(claims) = judge.judge_all(&read.findings, &read.checks) {
-        return (claims, FailedMatchings::new());
-    }
-    let claims = read.findings.iter().map(|finding| {
-        let judged = judge.judge_all(from_ref(finding), &[]);
-        let claim = judged.ok().and_then(|mut claims| claims.pop());
-        claim.unwrap_or_else(|| fault(finding))
-    });
-    let claims: Vec<Claim> = claims.collect();
-    let matchings = read.matchings.iter().zip(&read.checks);
-    let failed = matchings.filter_map(|(matched, check)| {
-        let diagnostic = judge.judge_all(&[], from_ref(check)).err()?;
-        Some(((path.to_string(), matched.label.span.start), diagnostic))
-    });
-    (claims, failed.collect())
-}
-
 /// Whose mistake it is, and what to do.
 const FAULT: &str = "this is a mistake of sextic, not of the document: please report it";
-
-/// A claim on which the routes disagree.
-fn fault(finding: &Finding) -> Claim {
-    Claim {
-        reason: Some(format!("the two routes to a verdict disagree: {FAULT}")),
-        fault: true,
-        ..Claim::undecided(&finding.assertion)
-    }
-}
 
 fn disagreement(finding: &Finding) -> Diagnostic {
     let (kind, span) = (DiagnosticKind::Disagreement, finding.assertion.span.clone());

@@ -8,8 +8,8 @@ use crate::derivation::syntax::{Expression, Node, Place, Span};
 use crate::points::Failure;
 use crate::points::unfolding::Unfolding;
 
+use super::fault;
 use super::sides::DIGITS;
-use super::{Checked, POINTS, fault};
 
 /// What is evaluated to check a matching: exact − assumed against the residual, power by power, with the
 /// solution put in.
@@ -38,8 +38,11 @@ impl MatchingCheck {
     }
 
     /// Compares the residuals at random assignments.
-    pub fn check<'a>(&'a self, unfolding: &mut Unfolding<'a>) -> Result<Checked, Diagnostic> {
-        let mut checked = Ok(POINTS);
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnostic`] where one is not what it was found to be, or cannot be looked at.
+    pub fn check<'a>(&'a self, unfolding: &mut Unfolding<'a>) -> Result<(), Diagnostic> {
         for (power, residual) in &self.residuals {
             match self.agrees(*power, residual, unfolding) {
                 Ok(true) => {}
@@ -48,10 +51,17 @@ impl MatchingCheck {
                     let label = format!("at the power {power}");
                     return Err(fault(&self.span, message).with_label(label));
                 }
-                Err(failure) => checked = Err(failure.to_string()),
+                Err(failure) => return Err(self.unchecked(failure)),
             }
         }
-        Ok(checked)
+        Ok(())
+    }
+
+    fn unchecked(&self, failure: Failure) -> Diagnostic {
+        let message = "this matching cannot be checked at a point";
+        Diagnostic::new(DiagnosticKind::Unsupported, self.span.clone(), message)
+            .with_label(failure.to_string())
+            .with_help("match less at once, or let a `parameter` stand for a part")
     }
 
     /// Whether the residual of a power is what it was found to be.
@@ -67,18 +77,5 @@ impl MatchingCheck {
         let sheet = &mut unfolding.sheet;
         let difference = sheet.graph.difference(exact, assumed)?;
         sheet.agree(difference, residual, DIGITS)
-    }
-
-    /// What the points come to: an error where there are too few.
-    ///
-    /// # Errors
-    ///
-    /// A [`Diagnostic`] with the reason.
-    pub fn conclude(&self, checked: Result<Checked, Diagnostic>) -> Result<(), Diagnostic> {
-        checked?.map(drop).map_err(|reason| {
-            let message = "this matching cannot be checked at a point";
-            Diagnostic::new(DiagnosticKind::Unsupported, self.span.clone(), message)
-                .with_label(reason)
-        })
     }
 }
