@@ -6,6 +6,7 @@ mod command;
 mod compile;
 mod derivation;
 mod documentation;
+mod fuzz;
 mod paper;
 #[cfg(feature = "stability")]
 mod stability;

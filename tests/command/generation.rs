@@ -374,7 +374,7 @@ fn what_is_all_fixed_is_a_function_of_nothing() {
 #[test]
 fn names_that_are_not_free_are_told() {
     let text = "# Names\n\n```sextic\nparameter a, TurnOutputs : 1\nangle at_angles\n\
-        evaluator (1) turn: at = a*sin(at_angles) + TurnOutputs\nevaluator (2) lambda: y = a\n```\n";
+        evaluator (1) turn: at = a*sin(at_angles) + TurnOutputs\nevaluator (2) class: y = a\n```\n";
     let path = document("names.md", text);
     let out = folder("names");
     let made = generate(
@@ -385,7 +385,7 @@ fn names_that_are_not_free_are_told() {
     assert_eq!(made.status, Some(0), "{}", made.err);
     for line in [
         "turn: `TurnOutputs` is called `TurnOutputs_`, `at_angles` is called `at_angles_`, since",
-        "lambda: `lambda` is called `lambda_`, since",
+        "class: `class` is called `class_`, since",
     ] {
         assert!(made.out.contains(line), "{}", made.out);
     }
@@ -394,8 +394,8 @@ fn names_that_are_not_free_are_told() {
         text.contains("called `at_angles` in the document"),
         "{text}"
     );
-    let text = fs::read_to_string(out.join("lambda_.py")).expect("a file");
-    assert!(text.contains("Called `lambda` in the document"), "{text}");
+    let text = fs::read_to_string(out.join("class_.py")).expect("a file");
+    assert!(text.contains("Called `class` in the document"), "{text}");
 }
 
 #[test]

@@ -162,7 +162,6 @@ fn variables_with_another_meaning_are_refused() {
         (Language::Rust, "inputs"),
         (Language::C, "match_outputs"),
         (Language::C, "match_body"),
-        (Language::C, "sextic_bounded"),
         (Language::C, "sqrt"),
         (Language::Python, "MatchOutputs"),
         (Language::Python, "np"),

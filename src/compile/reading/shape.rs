@@ -108,7 +108,8 @@ pub(super) fn taken(
             let is_start = tokens.get(place + 1).is_some_and(|next| {
                 next.text.starts_with('$') && next.start == token.start + token.text.len()
             });
-            let is_name = is_word(token.text) && ![".", "->", "'"].contains(&before) && !is_start;
+            let is_member = before.ends_with('.') || ["->", "'"].contains(&before);
+            let is_name = is_word(token.text) && !is_member && !is_start;
             if is_name && token.text != names.function {
                 taken.insert(token.text.to_string());
             }
