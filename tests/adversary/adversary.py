@@ -64,7 +64,7 @@ class Session:
         lines = document.head + list(claims)
         while lines:
             run = tool.audit(document.text(lines), document.imports)
-            if run.outcome == DONE and not run.lines:
+            if run.outcome == DONE and not any(0 <= line - 4 < len(lines) for line in run.lines):
                 break
             lines = self.without(tool, document, lines, run, claims, found)
         if lines:
