@@ -64,7 +64,7 @@ class Session:
         lines = document.head + list(claims)
         while lines:
             run = tool.audit(document.text(lines), document.imports)
-            if run.outcome == DONE:
+            if run.outcome == DONE and not any(0 <= line - 4 < len(lines) for line in run.lines):
                 break
             lines = self.without(tool, document, lines, run, claims, found)
         if lines:
@@ -72,19 +72,19 @@ class Session:
 
     def without(self, tool, document, lines, run, claims, found):
         """The lines without those that were refused, that aborted the tool or took too long."""
-        bad = sorted({line - 4 for line in run.lines if 0 <= line - 4 < len(lines)}, reverse=True)
-        if run.outcome == REFUSED and bad:
-            bad = bad[-1:]
-        elif not bad or run.outcome != REFUSED:
-            bad = self.culprits(tool, document, lines, run, claims, bad)
+        bad = sorted({line - 4 for line in run.lines if 0 <= line - 4 < len(lines)})
+        if run.outcome == REFUSED:
+            bad = bad[:1]
+        if bad and run.outcome in (DONE, REFUSED):
             for place in bad:
-                claim = claims.get(lines[place])
-                found.table[key(claim, run.outcome)] += 1
-                found.wrong.append((run.outcome, lines[place], run.said[:500], document.text(
-                    [line for line in lines if line not in claims] + [lines[place]]), document.imports))
-        for place in bad:
-            if run.outcome == REFUSED:
                 found.table[key(claims.get(lines[place]), "refused")] += 1
+        else:
+            bad = self.culprits(tool, document, lines, run, claims, bad)
+            head = [line for line in lines if line not in claims]
+            for place in bad:
+                found.table[key(claims.get(lines[place]), run.outcome)] += 1
+                found.wrong.append((run.outcome, lines[place], run.said[:500],
+                                    document.text(head + [lines[place]]), document.imports))
         return [line for place, line in enumerate(lines) if place not in bad]
 
     def culprits(self, tool, document, lines, run, claims, bad):
@@ -135,7 +135,7 @@ class Session:
         elif judgement.verdict == "undecided":
             found.table[key(claim, f"undecided, {judgement.truth}")] += 1
             reason = str(report.get("reason"))
-            if any(word in reason for word in ("disagree", "two routes", "mistake of sextic", "fault of sextic")):
+            if report.get("fault") or any(word in reason for word in ("disagree", "two routes", "mistake of sextic", "fault of sextic")):
                 found.table[key(claim, "routes disagree")] += 1
                 found.notes[f"routes disagree: {claim.line}"] += 1
         elif judgement.result == OPEN:

@@ -44,7 +44,7 @@ class Tool:
             documents = json.loads(done.stdout)["documents"]
         except (ValueError, KeyError):
             return Run(ABORTED, said="no JSON: " + said)
-        lines = [int(line) for line in re.findall(rf"\[ [^\]\n]*?{re.escape(name)}:(\d+):\d+ \]", said)]
+        lines = [] if done.returncode != 2 else [int(line) for line in re.findall(rf"\[ [^\]\n]*?{re.escape(name)}:(\d+):\d+ \]", said)]
         found = [claim for document in documents for claim in document.get("claims", [])]
         if not documents or (not found and done.returncode == 2):
             return Run(ABORTED if "two routes" in said else REFUSED, said=said, lines=lines)
