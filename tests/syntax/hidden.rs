@@ -108,7 +108,8 @@ fn hidden_character() -> impl Strategy<Value = char> {
         '\u{E0000}'..='\u{E0FFF}',
         '\u{F0000}'..='\u{10FFFF}',
     ];
-    select(ranges.to_vec()).prop_flat_map(|range| range)
+    select(ranges.to_vec())
+        .prop_flat_map(|range| proptest::char::range(*range.start(), *range.end()))
 }
 
 /// Raw HTML that hides, moves or replaces what stands in it.
