@@ -37,9 +37,8 @@ const STEPS: [usize; 2] = [12_000_000, 2_000_000];
 /// Why there are too few points.
 const NO_POINT: &str = "no assignment was found that satisfies the assumptions";
 
-/// What the sides of an assertion come to where they are not evaluated.
-const FAULT: &str = "the first route finds it true, and the second false: this is a mistake of sextic, \
-                     not of the document; please report it";
+/// Whose mistake it is where the routes disagree, and what to do.
+pub const FAULT: &str = "this is a mistake of sextic, not of the document: please report it";
 
 /// Evaluates assertions at assignments and gives the verdicts.
 pub struct Judge<'a> {
@@ -221,7 +220,8 @@ impl<'a> Court<'a> {
                     Ok(points) => self.found_true(finding, sides, points, claim),
                     Err(Disagreement::Fault) => {
                         claim.fault = true;
-                        claim.reason = Some(FAULT.to_owned());
+                        claim.reason =
+                            Some(format!("the two routes to a verdict disagree: {FAULT}"));
                     }
                     Err(Disagreement::TooFew(failure)) => {
                         claim.reason = Some(no_value(&finding.outcome, failure));
@@ -354,6 +354,5 @@ fn no_witness(outcome: &Outcome, fruitless: &Fruitless) -> String {
 
 /// A matching that fails at a point, or has no value there.
 fn fault(span: &super::syntax::Span, message: &str) -> Diagnostic {
-    Diagnostic::new(DiagnosticKind::Disagreement, span.clone(), message)
-        .with_help("this is a mistake of sextic, not of the document: please report it")
+    Diagnostic::new(DiagnosticKind::Disagreement, span.clone(), message).with_help(FAULT)
 }

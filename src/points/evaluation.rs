@@ -189,7 +189,7 @@ impl Evaluation {
     /// What the assignment gives the variables and functions that some nodes rest on.
     pub fn shown(&mut self, graph: &Graph, roots: &[NodeId]) -> Vec<Assigned> {
         let mut shown = BTreeMap::new();
-        for id in graph.below(roots) {
+        for id in graph.within(roots) {
             let found = match graph.node(id) {
                 Node::Variable(id) | Node::Cosine(id) | Node::Sine(id) => {
                     self.assignment.shown(graph.variable(*id))

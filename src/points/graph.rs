@@ -539,6 +539,22 @@ impl Graph {
         found.into_iter().collect()
     }
 
+    /// The nodes that the values of some nodes are made of, and these: without what need only exist.
+    pub fn within(&self, roots: &[NodeId]) -> Vec<NodeId> {
+        let mut open = roots.to_vec();
+        let mut found = BTreeSet::new();
+        while let Some(id) = open.pop() {
+            if !found.insert(id) {
+                continue;
+            }
+            match self.node(id) {
+                Node::Guarded { value, .. } => open.push(*value),
+                node => node.visit(&mut |part| open.push(part)),
+            }
+        }
+        found.into_iter().collect()
+    }
+
     /// The variables that some nodes rest on.
     pub fn variables_of(&self, roots: &[NodeId]) -> BTreeSet<VariableId> {
         let nodes = self.below(roots).into_iter();

@@ -124,12 +124,12 @@ impl Search {
     }
 
     fn draw(&self, place: u64, attempt: u64) -> Draw {
-        let seed = place * MOST_ATTEMPTS + attempt;
+        let seed = seed(place, attempt);
         match self.is_simple {
             true => {
                 let larger = (place / 40 + attempt / 40) as usize;
                 Draw {
-                    seed: 1_000_000_000 + seed,
+                    seed: 1_000_000 + seed,
                     size: SMALL[larger.min(SMALL.len() - 1)],
                 }
             }
@@ -138,6 +138,15 @@ impl Search {
                 size: LARGE[((place + attempt) % LARGE.len() as u64) as usize],
             },
         }
+    }
+}
+
+/// A seed of its own for every attempt.
+fn seed(place: u64, attempt: u64) -> u64 {
+    const USUAL: u64 = 400;
+    match attempt {
+        0..USUAL => place * USUAL + attempt,
+        _ => 10_000_000 + place * MOST_ATTEMPTS + attempt,
     }
 }
 

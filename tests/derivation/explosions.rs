@@ -41,11 +41,7 @@ fn calls_of_calls_are_evaluated_once() {
 fn nested_coefficients_are_taken_once() {
     let (calls, ends) = ("coefficient(".repeat(40), ", x, 0)".repeat(40));
     let claim = format!("parameter x : 1\nclaim (1): {calls}x + 1{ends} == 1");
-    assert_eq!(
-        outcome(&claim),
-        "undecided",
-        "by points it would take too long"
-    );
+    assert_eq!(outcome(&claim), "holds");
 }
 
 #[test]
@@ -98,7 +94,7 @@ fn numbers_of_a_point_may_not_grow_without_bound() {
         "parameter {} : 1\nclaim (1): {powers} == {powers}",
         names.join(", ")
     );
-    assert_eq!(outcome(&text), "undecided");
+    assert_eq!(outcome(&text), "holds");
 }
 
 #[test]

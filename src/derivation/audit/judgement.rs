@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::derivation::assertion::Finding;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::derivation::judge::Judge;
+use crate::derivation::judge::{FAULT, Judge};
 use crate::derivation::syntax::Relation;
 use crate::derivation::verdict::{Claim, Verdict};
 
@@ -77,9 +77,6 @@ fn skip(claim: &mut Claim, reason: &Reason, path: &str) -> Skipped {
         basis,
     }
 }
-
-/// Whose mistake it is, and what to do.
-const FAULT: &str = "this is a mistake of sextic, not of the document: please report it";
 
 fn disagreement(finding: &Finding) -> Diagnostic {
     let (kind, span) = (DiagnosticKind::Disagreement, finding.assertion.span.clone());
