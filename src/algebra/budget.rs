@@ -83,7 +83,8 @@ impl Budget {
         let (remaining, reserve) = (self.remaining.get(), self.reserve.get());
         let left = remaining.checked_sub(steps);
         self.remaining.set(left.unwrap_or(0));
-        self.reserve.set(reserve - remaining.min(steps).min(reserve));
+        self.reserve
+            .set(reserve - remaining.min(steps).min(reserve));
         match left {
             Some(_) => Ok(()),
             None if self.reserve.get() == 0 => Err(Exhausted {
@@ -127,7 +128,9 @@ impl fmt::Display for Exhausted {
         let limit = self.limit;
         match self.resource {
             Resource::Steps => write!(f, "the computation needs more than {limit} steps"),
-            Resource::AllSteps => write!(f, "all computations together need more than {limit} steps"),
+            Resource::AllSteps => {
+                write!(f, "all computations together need more than {limit} steps")
+            }
             Resource::Terms => write!(f, "a polynomial needs more than {limit} terms"),
             Resource::Bits => write!(f, "an integer needs more than {limit} bits"),
             Resource::Exponent => write!(f, "an exponent is larger than {limit}"),
@@ -192,7 +195,10 @@ mod tests {
             budget.refill();
         }
         let refusal = budget.spend(1).unwrap_err();
-        assert_eq!(refusal.to_string(), "all computations together need more than 120 steps");
+        assert_eq!(
+            refusal.to_string(),
+            "all computations together need more than 120 steps"
+        );
     }
 
     #[test]

@@ -74,12 +74,15 @@ impl Ring {
         matrix: &Matrix<Fraction>,
         right: Option<&Matrix<Fraction>>,
     ) -> Result<Cleared, AlgebraError> {
-        let mut cleared = Cleared { rows: Vec::new(), below: Polynomial::one() };
+        let mut cleared = Cleared {
+            rows: Vec::new(),
+            below: Polynomial::one(),
+        };
         for row in 0..matrix.rows() {
             let entries = (0..matrix.columns()).map(|column| matrix.at(row, column));
-            let behind = right.into_iter().flat_map(|right| {
-                (0..right.columns()).map(move |column| right.at(row, column))
-            });
+            let behind = right
+                .into_iter()
+                .flat_map(|right| (0..right.columns()).map(move |column| right.at(row, column)));
             let entries: Vec<&Fraction> = entries.chain(behind).collect();
             let mut common = Polynomial::one();
             for entry in &entries {
@@ -123,7 +126,13 @@ struct Elimination<'a> {
 impl<'a> Elimination<'a> {
     fn new(rows: Vec<Vec<Polynomial>>, budget: &'a Budget) -> Self {
         let columns = (0..rows.len()).collect();
-        Elimination { rows, budget, columns, negative: false, pivot: Polynomial::one() }
+        Elimination {
+            rows,
+            budget,
+            columns,
+            negative: false,
+            pivot: Polynomial::one(),
+        }
     }
 
     /// Eliminates until all rows are used up or a pivot is 0; in all rows, or in those below the pivots.
@@ -150,14 +159,23 @@ impl<'a> Elimination<'a> {
         let size = self.rows.len();
         let left = || step..size;
         let filled = |row: usize, column: usize| !self.rows[row][column].is_zero();
-        let in_row: Vec<usize> = left().map(|row| left().filter(|c| filled(row, *c)).count()).collect();
-        let in_column: Vec<usize> =
-            left().map(|column| left().filter(|r| filled(*r, column)).count()).collect();
+        let in_row: Vec<usize> = left()
+            .map(|row| left().filter(|c| filled(row, *c)).count())
+            .collect();
+        let in_column: Vec<usize> = left()
+            .map(|column| left().filter(|r| filled(*r, column)).count())
+            .collect();
         let places = left().flat_map(|row| left().map(move |column| (row, column)));
-        places.filter(|(row, column)| filled(*row, *column)).min_by_key(|(row, column)| {
-            let others = (in_row[row - step] - 1) * (in_column[column - step] - 1);
-            (self.rows[*row][*column].len() > 1, others, self.rows[*row][*column].len())
-        })
+        places
+            .filter(|(row, column)| filled(*row, *column))
+            .min_by_key(|(row, column)| {
+                let others = (in_row[row - step] - 1) * (in_column[column - step] - 1);
+                (
+                    self.rows[*row][*column].len() > 1,
+                    others,
+                    self.rows[*row][*column].len(),
+                )
+            })
     }
 
     /// Exchanges rows and columns so that a pivot stands on the diagonal.
@@ -165,7 +183,9 @@ impl<'a> Elimination<'a> {
         self.negative ^= (row != step) ^ (column != step);
         self.rows.swap(row, step);
         self.columns.swap(column, step);
-        self.rows.iter_mut().for_each(|line| line.swap(column, step));
+        self.rows
+            .iter_mut()
+            .for_each(|line| line.swap(column, step));
     }
 
     fn eliminate(
@@ -178,7 +198,11 @@ impl<'a> Elimination<'a> {
         let line = &mut self.rows[row];
         let factor = std::mem::take(&mut line[step]);
         // The columns before are those of pivots: there only this row's own is not 0.
-        for (place, entry) in line.iter_mut().enumerate().filter(|(place, _)| *place != step) {
+        for (place, entry) in line
+            .iter_mut()
+            .enumerate()
+            .filter(|(place, _)| *place != step)
+        {
             let above = &pivot_row[place];
             if entry.is_zero() && (above.is_zero() || factor.is_zero()) {
                 continue;
@@ -224,12 +248,22 @@ mod tests {
 
     /// A ring with a parameter and the sine and cosine of an angle; entries by small numbers.
     fn entries(ring: &mut Ring) -> Vec<Fraction> {
-        let x = ring.symbol(Generator::Constant { name: "x".into() }).unwrap();
+        let x = ring
+            .symbol(Generator::Constant { name: "x".into() })
+            .unwrap();
         let angle = ring.symbol(Generator::Angle { name: "α".into() }).unwrap();
         let angle = ring.angle(&ring.element(angle)).unwrap();
         let (cosine, sine) = ring.cosine_and_sine(&angle).unwrap();
         let x = ring.element(x);
-        vec![number(0, 1), number(1, 1), number(-2, 3), x.reciprocal().unwrap(), x, cosine, sine]
+        vec![
+            number(0, 1),
+            number(1, 1),
+            number(-2, 3),
+            x.reciprocal().unwrap(),
+            x,
+            cosine,
+            sine,
+        ]
     }
 
     proptest! {
@@ -259,20 +293,32 @@ mod tests {
         // Σⱼ bⱼ³ with small pseudo-random entries, against the product of pivots modulo a prime.
         let mut state = 1_u64;
         let mut next = || {
-            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            state = state
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
             ((state >> 33) % 19) as i32 - 9
         };
         let numbers: Vec<Vec<i32>> = (0..64).map(|_| (0..64).map(|_| next()).collect()).collect();
         let matrix = Matrix::from_fn(64, 64, |i, j| number(numbers[i][j], 1));
         let ring = Ring::new(Budget::new(50_000_000));
-        let found = ring.eliminated_determinant(&matrix).unwrap().as_constant().unwrap();
+        let found = ring
+            .eliminated_determinant(&matrix)
+            .unwrap()
+            .as_constant()
+            .unwrap();
         const PRIME: i64 = 1_000_003;
-        let mut rows: Vec<Vec<i64>> =
-            numbers.iter().map(|row| row.iter().map(|n| i64::from(*n)).collect()).collect();
+        let mut rows: Vec<Vec<i64>> = numbers
+            .iter()
+            .map(|row| row.iter().map(|n| i64::from(*n)).collect())
+            .collect();
         let inverse = |n: i64| {
             (0..20).rev().fold(1, |power, bit| {
                 let square = power * power % PRIME;
-                if (PRIME - 2) >> bit & 1 == 1 { square * n % PRIME } else { square }
+                if (PRIME - 2) >> bit & 1 == 1 {
+                    square * n % PRIME
+                } else {
+                    square
+                }
             })
         };
         let mut product = 1_i64;

@@ -63,7 +63,9 @@ impl Ring {
             if parts.len() <= required as usize {
                 return Err(AlgebraError::DivisionByZero);
             }
-            let found = (0..).zip(&parts).position(|(degree, part)| last(degree, part));
+            let found = (0..)
+                .zip(&parts)
+                .position(|(degree, part)| last(degree, part));
             if let Some(found) = found {
                 parts.truncate(found + 1);
             }
@@ -78,8 +80,14 @@ impl Ring {
     /// Whether the small quantities appear above the line only, and in no other symbol's meaning.
     fn is_polynomial_in(&self, element: &Fraction, small: &[Symbol]) -> bool {
         let still = |symbol: &Symbol| !depends(self, *symbol, small);
-        let (above, below) = (element.numerator().symbols(), element.denominator().symbols());
-        below.iter().all(still) && above.iter().all(|symbol| small.contains(symbol) || still(symbol))
+        let (above, below) = (
+            element.numerator().symbols(),
+            element.denominator().symbols(),
+        );
+        below.iter().all(still)
+            && above
+                .iter()
+                .all(|symbol| small.contains(symbol) || still(symbol))
     }
 
     /// The terms of each total degree up to an order, of a polynomial in the small quantities.
@@ -89,7 +97,9 @@ impl Ring {
         small: &[Symbol],
         order: u32,
     ) -> Result<Vec<Fraction>, AlgebraError> {
-        (0..=order).map(|degree| self.part_of_degree(element, small, degree)).collect()
+        (0..=order)
+            .map(|degree| self.part_of_degree(element, small, degree))
+            .collect()
     }
 
     /// The terms of one total degree in the small quantities, of a polynomial in them.

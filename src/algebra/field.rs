@@ -19,7 +19,9 @@ impl Ring {
     /// Whether an element contains no symbol whose square is another.
     fn is_free(&self, element: &Fraction) -> bool {
         let sides = [element.numerator(), element.denominator()];
-        sides.iter().all(|side| self.last_symbol(side, 1, Generator::is_quadratic).is_none())
+        sides
+            .iter()
+            .all(|side| self.last_symbol(side, 1, Generator::is_quadratic).is_none())
     }
 
     /// aⁿ, for negative n as well; a⁰ = 1.

@@ -68,7 +68,9 @@ impl Field {
 
     /// All of them, [`Field::FIRST`] first.
     pub fn all() -> impl Iterator<Item = Field> {
-        GAPS.iter().map(|gap| Field { prime: (1 << 61) - gap })
+        GAPS.iter().map(|gap| Field {
+            prime: (1 << 61) - gap,
+        })
     }
 
     /// The number of elements.
@@ -171,7 +173,11 @@ mod tests {
                     power = field.times(power, power);
                     exponent *= 2;
                 }
-                assert!(power == field.prime() - 1 || exponent == odd, "{}", field.prime());
+                assert!(
+                    power == field.prime() - 1 || exponent == odd,
+                    "{}",
+                    field.prime()
+                );
             }
             assert_eq!(field.times(3, field.inverse(3)), 1);
             assert_eq!(field.residue(&Integer::from(-1)), field.prime() - 1);

@@ -118,7 +118,9 @@ fn binomial(a: &Term, b: &Term, n: u32, budget: &Budget) -> Result<Polynomial, E
 /// 1, c, …, cⁿ.
 fn powers(base: &Integer, n: u32) -> Vec<Integer> {
     let next = |power: &Integer| Some(power * base);
-    std::iter::successors(Some(Integer::ONE), next).take(n as usize + 1).collect()
+    std::iter::successors(Some(Integer::ONE), next)
+        .take(n as usize + 1)
+        .collect()
 }
 
 /// The number of words of all coefficients.
@@ -337,10 +339,15 @@ mod tests {
 
     #[test]
     fn high_powers_of_two_terms_are_cheap() {
-        let power = polynomial("a + 1").power(2_000, &Budget::new(1_000_000)).unwrap();
+        let power = polynomial("a + 1")
+            .power(2_000, &Budget::new(1_000_000))
+            .unwrap();
         assert_eq!(power.len(), 2_001);
         // At a = 1 it is 2²⁰⁰⁰.
-        let sum = power.terms().iter().fold(Integer::ZERO, |sum, (_, c)| sum + c);
+        let sum = power
+            .terms()
+            .iter()
+            .fold(Integer::ZERO, |sum, (_, c)| sum + c);
         assert_eq!(sum, Integer::ONE << 2_000);
     }
 

@@ -170,7 +170,10 @@ struct SignedFactors {
 impl SignedFactors {
     /// The factors whose signs decide that of the product.
     fn odd(&self) -> impl Iterator<Item = &Polynomial> {
-        let odd = self.open.iter().filter(|(_, multiplicity)| multiplicity % 2 == 1);
+        let odd = self
+            .open
+            .iter()
+            .filter(|(_, multiplicity)| multiplicity % 2 == 1);
         odd.map(|(factor, _)| factor)
     }
 }

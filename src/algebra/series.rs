@@ -103,9 +103,11 @@ impl<'a> Expansion<'a> {
                 Generator::Sine { angle } => self.circle(&self.ring.angle_element(&angle))?.1,
                 Generator::Root { radicand } => self.root(&radicand)?,
                 Generator::Direction { x, y, .. } => self.direction(&x, &y)?,
-                Generator::FunctionValue { name, order, argument } => {
-                    self.function(&name, order, &argument)?
-                }
+                Generator::FunctionValue {
+                    name,
+                    order,
+                    argument,
+                } => self.function(&name, order, &argument)?,
                 _ => self.constant(self.ring.element(symbol)),
             }
         };
@@ -116,7 +118,10 @@ impl<'a> Expansion<'a> {
     /// cos A and sin A, from dcos A = −sin A dA and dsin A = cos A dA.
     fn circle(&mut self, angle: &Fraction) -> Result<(Series, Series), AlgebraError> {
         let angle = self.element(angle)?;
-        let first = self.ring.angle(&angle.parts[0]).ok_or(AlgebraError::NotAnAngle)?;
+        let first = self
+            .ring
+            .angle(&angle.parts[0])
+            .ok_or(AlgebraError::NotAnAngle)?;
         let (cosine, sine) = self.ring.cosine_and_sine(&first)?;
         let (mut cosines, mut sines) = (vec![cosine], vec![sine]);
         let slope = self.euler(&angle)?;
@@ -177,7 +182,9 @@ impl<'a> Expansion<'a> {
         let mut sum = self.constant(self.ring.zero());
         let highest = change.parts.len();
         for taken in 0..highest {
-            let slope = self.ring.function_value(name, order + taken as u32, &place)?;
+            let slope = self
+                .ring
+                .function_value(name, order + taken as u32, &place)?;
             let term = self.product(&power, &self.constant(slope))?;
             sum = self.sum(&sum, &term)?;
             power = self.product(&power, &change)?;
@@ -198,20 +205,28 @@ impl<'a> Expansion<'a> {
 
     fn sum(&self, a: &Series, b: &Series) -> Result<Series, AlgebraError> {
         let pairs = a.parts.iter().zip(&b.parts);
-        let parts = pairs.map(|(a, b)| self.ring.sum(a, b)).collect::<Result<_, _>>()?;
+        let parts = pairs
+            .map(|(a, b)| self.ring.sum(a, b))
+            .collect::<Result<_, _>>()?;
         Ok(Series { parts })
     }
 
     fn negative(&self, a: &Series) -> Series {
         Series {
-            parts: a.parts.iter().map(|part| self.ring.negative(part)).collect(),
+            parts: a
+                .parts
+                .iter()
+                .map(|part| self.ring.negative(part))
+                .collect(),
         }
     }
 
     fn product(&self, a: &Series, b: &Series) -> Result<Series, AlgebraError> {
         let last = self.last_of_product(a, b);
         let parts = (0..=last).map(|degree| self.convolution(&a.parts, &b.parts, degree));
-        Ok(Series { parts: parts.collect::<Result<_, _>>()? })
+        Ok(Series {
+            parts: parts.collect::<Result<_, _>>()?,
+        })
     }
 
     /// The degree up to which a product is known: (p + o(qᵐ))·(r + o(qⁿ)) is known up to the least of
@@ -230,8 +245,13 @@ impl<'a> Expansion<'a> {
 
     fn quotient(&self, a: &Series, b: &Series) -> Result<Series, AlgebraError> {
         if b.parts[1..].iter().all(Fraction::is_zero) && b.parts.len() > self.order {
-            let parts = a.parts.iter().map(|part| self.ring.quotient(part, &b.parts[0]));
-            return Ok(Series { parts: parts.collect::<Result<_, _>>()? });
+            let parts = a
+                .parts
+                .iter()
+                .map(|part| self.ring.quotient(part, &b.parts[0]));
+            return Ok(Series {
+                parts: parts.collect::<Result<_, _>>()?,
+            });
         }
         let first = self.ring.quotient(&self.ring.one(), &b.parts[0])?;
         let slope = self.ring.negative(&first);
@@ -267,7 +287,9 @@ impl<'a> Expansion<'a> {
             let degree = Fraction::from(Rational::from(degree));
             self.ring.product(part, &degree)
         });
-        Ok(Series { parts: parts.collect::<Result<_, _>>()? })
+        Ok(Series {
+            parts: parts.collect::<Result<_, _>>()?,
+        })
     }
 
     fn over(&self, part: &Fraction, number: usize) -> Result<Fraction, AlgebraError> {
@@ -279,14 +301,17 @@ impl<'a> Expansion<'a> {
 /// Whether what a symbol stands for depends on small quantities.
 pub(super) fn depends(ring: &Ring, symbol: Symbol, small: &[Symbol]) -> bool {
     let any = |polynomial: &Polynomial| {
-        polynomial.symbols().into_iter().any(|inside| depends(ring, inside, small))
+        polynomial
+            .symbols()
+            .into_iter()
+            .any(|inside| depends(ring, inside, small))
     };
     let of = |element: &Fraction| any(element.numerator()) || any(element.denominator());
     small.contains(&symbol)
         || match ring.generator(symbol) {
-            Generator::Cosine { angle } | Generator::Sine { angle } => {
-                angle.coefficients().any(|(inside, _)| depends(ring, inside, small))
-            }
+            Generator::Cosine { angle } | Generator::Sine { angle } => angle
+                .coefficients()
+                .any(|(inside, _)| depends(ring, inside, small)),
             Generator::Root { radicand } => any(radicand),
             Generator::Direction { x, y, .. } => of(x) || of(y),
             Generator::FunctionValue { argument, .. } => of(argument),

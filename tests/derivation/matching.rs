@@ -31,7 +31,8 @@ const FACTORS: [&str; 15] = [
 
 fn matched(exact: &str, assumed: &str) -> Matched {
     let declared = "parameter u, λ, b, y : 1\nparameter x : 1 >= 0\nangle α";
-    let text = format!("{declared}\nmatch (1) m: λ + u*{exact} with λ + {assumed}*b in λ unknown b at 1");
+    let text =
+        format!("{declared}\nmatch (1) m: λ + u*{exact} with λ + {assumed}*b in λ unknown b at 1");
     let audit = audit_text(&block(&text)).unwrap_or_else(|message| panic!("{text}\n{message}"));
     audit.matchings[0].clone()
 }
@@ -123,7 +124,11 @@ fn size(above: &Expression, below: &Expression, place: &Near, n: usize) -> Ratio
     let values = place.moved(&distance).values();
     let (above, below) = (value(above, &values), value(below, &values));
     let quotient = above.unwrap() / below.unwrap();
-    if quotient < whole(0) { -quotient } else { quotient }
+    if quotient < whole(0) {
+        -quotient
+    } else {
+        quotient
+    }
 }
 
 /// The verdict on each factor at which the equation below·b = above is singular, checked at all places
@@ -144,7 +149,8 @@ fn checked(above: &str, below: &str) -> Vec<Existence> {
         let Some(at) = zeros.iter().position(|zero| *zero) else {
             continue;
         };
-        if zeros.iter().filter(|zero| **zero).count() == 1 && matched.singular_where[at].is_finite() {
+        if zeros.iter().filter(|zero| **zero).count() == 1 && matched.singular_where[at].is_finite()
+        {
             let [far, near] = [4, 8].map(|n| size(&row.exact, &matched.determinant, &place, n));
             assert!(
                 near <= whole(10) * &far + whole(1),
@@ -152,7 +158,11 @@ fn checked(above: &str, below: &str) -> Vec<Existence> {
             );
         }
     }
-    matched.singular_where.iter().map(|one| one.existence).collect()
+    matched
+        .singular_where
+        .iter()
+        .map(|one| one.existence)
+        .collect()
 }
 
 proptest! {

@@ -93,16 +93,27 @@ impl<'a> Grid<'a> {
         bounds: &Degrees,
     ) -> Option<Self> {
         let degrees = sides.map(Degrees::of);
-        let largest = degrees.iter().flat_map(|degrees| degrees.iter().map(|(_, degree)| degree)).max();
+        let largest = degrees
+            .iter()
+            .flat_map(|degrees| degrees.iter().map(|(_, degree)| degree))
+            .max();
         let extra = Degrees::of(scale);
         let others = bounds.iter().filter(|(other, _)| *other != symbol);
         let axes: Vec<Axis> = others
-            .map(|(symbol, bound)| Axis { symbol, count: (bound + extra.get(symbol)) as usize + 1 })
+            .map(|(symbol, bound)| Axis {
+                symbol,
+                count: (bound + extra.get(symbol)) as usize + 1,
+            })
             .collect();
         let sizes = axes.iter().map(|axis| axis.count as u64);
         let size = sizes.fold(u64::from(bounds.get(symbol)) + 1, u64::saturating_mul);
         let fits = axes.len() < MOST_SYMBOLS && largest? <= LARGEST_EXPONENT && size <= MOST_VALUES;
-        fits.then_some(Grid { sides, scale, symbol, axes })
+        fits.then_some(Grid {
+            sides,
+            scale,
+            symbol,
+            axes,
+        })
     }
 
     /// The terms of a polynomial by the exponents, modulo a prime, in increasing order.
@@ -111,7 +122,9 @@ impl<'a> Grid<'a> {
             let axes = self.axes.iter().map(|axis| axis.symbol);
             std::iter::once(self.symbol)
                 .chain(axes)
-                .fold(0, |key, symbol| key << 8 | Key::from(monomial.exponent(symbol)))
+                .fold(0, |key, symbol| {
+                    key << 8 | Key::from(monomial.exponent(symbol))
+                })
         };
         let terms = polynomial.terms().iter();
         let mut image: Vec<(Key, u64)> = terms
@@ -125,7 +138,10 @@ impl<'a> Grid<'a> {
     fn images(&self, field: Field, budget: &Budget) -> Result<Option<Values>, Exhausted> {
         let [left, right] = self.sides.map(|side| self.image(side, field));
         let scale = self.image(self.scale, field);
-        let mut values = Values { degree: usize::MAX, entries: Vec::new() };
+        let mut values = Values {
+            degree: usize::MAX,
+            entries: Vec::new(),
+        };
         let lucky = self.fill([left, right, scale], &self.axes, field, &mut values, budget)?;
         Ok(lucky.then_some(values))
     }
@@ -162,12 +178,17 @@ impl<'a> Grid<'a> {
         field: Field,
         budget: &Budget,
     ) -> Result<Values, Exhausted> {
-        let Values { degree, mut entries } = values;
+        let Values {
+            degree,
+            mut entries,
+        } = values;
         let mut stride = degree + 1;
         // The first axis runs fastest.
         for axis in &self.axes {
             budget.spend((entries.len() * axis.count) as u64)?;
-            let nodes: Vec<u64> = (0..axis.count).map(|place| field.node(axis.symbol, place)).collect();
+            let nodes: Vec<u64> = (0..axis.count)
+                .map(|place| field.node(axis.symbol, place))
+                .collect();
             let inverses: Vec<u64> = (0..axis.count as u64).map(|k| field.inverse(k)).collect();
             for block in entries.chunks_mut(stride * axis.count) {
                 for start in 0..stride {
@@ -220,7 +241,8 @@ impl Values {
             return false;
         };
         let factor = field.times(*scale, field.inverse(*leading));
-        gcd.iter_mut().for_each(|value| *value = field.times(*value, factor));
+        gcd.iter_mut()
+            .for_each(|value| *value = field.times(*value, factor));
         self.entries.append(&mut gcd);
         true
     }
@@ -295,7 +317,11 @@ impl Lifted {
     fn extend(&mut self, values: &Values, field: Field, budget: &Budget) -> Result<(), Exhausted> {
         budget.spend(values.entries.len() as u64)?;
         if self.modulus.is_zero() || values.degree < self.degree {
-            *self = Lifted { degree: values.degree, modulus: Integer::ONE, coefficients: BTreeMap::new() };
+            *self = Lifted {
+                degree: values.degree,
+                modulus: Integer::ONE,
+                coefficients: BTreeMap::new(),
+            };
         } else if values.degree > self.degree {
             return Ok(());
         }

@@ -89,7 +89,9 @@ pub fn check_residuals(terms: usize, span: &Span) -> Result<(), Diagnostic> {
     Err(
         Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
             .with_label("given up here")
-            .with_help("match fewer unknowns at a time, or let a `parameter` stand for a coefficient"),
+            .with_help(
+                "match fewer unknowns at a time, or let a `parameter` stand for a coefficient",
+            ),
     )
 }
 

@@ -113,7 +113,9 @@ impl Elaborator {
             }
             return self.divide(&above, &below, span);
         }
-        let solved = self.solved(matrix, &identity(matrix.rows()), span)?.ok_or_else(singular)?;
+        let solved = self
+            .solved(matrix, &identity(matrix.rows()), span)?
+            .ok_or_else(singular)?;
         self.divide(&solved.numerators, &solved.determinant, span)
     }
 
@@ -145,7 +147,9 @@ impl Elaborator {
                 let solved = solved.map_err(|error| quantity(error, span))?;
                 Ok(Some(solved).filter(|solved| !solved.determinant.value.is_zero()))
             }
-            (Err(_), Some((unit, of_right))) => self.eliminated(matrix, &unit, right, &of_right, span),
+            (Err(_), Some((unit, of_right))) => {
+                self.eliminated(matrix, &unit, right, &of_right, span)
+            }
             (Err(refused), None) => Err(refused),
         }
     }
@@ -159,7 +163,10 @@ impl Elaborator {
         of_right: &Unit,
         span: &Span,
     ) -> Result<Option<Solution<Quantity>>, Diagnostic> {
-        let solved = match self.ring.eliminated_solution(&values(matrix), &values(right)) {
+        let solved = match self
+            .ring
+            .eliminated_solution(&values(matrix), &values(right))
+        {
             Err(AlgebraError::DivisionByZero) => return Ok(None),
             solved => solved.map_err(|error| algebra(error, span))?,
         };
@@ -167,7 +174,9 @@ impl Elaborator {
         let of_others = unit.power(&(&size - Rational::ONE));
         let of_numerators = of_others.product(of_right);
         Ok(Some(Solution {
-            numerators: solved.numerators.map(|value| with_unit(value, &of_numerators)),
+            numerators: solved
+                .numerators
+                .map(|value| with_unit(value, &of_numerators)),
             determinant: with_unit(&solved.determinant, &unit.power(&size)),
         }))
     }
@@ -184,7 +193,10 @@ impl Elaborator {
         let unit = one_unit(matrix).ok_or(refused)?;
         let found = self.ring.eliminated_determinant(&values(matrix));
         let found = found.map_err(|error| algebra(error, span))?;
-        Ok(with_unit(&found, &unit.power(&Rational::from(matrix.rows()))))
+        Ok(with_unit(
+            &found,
+            &unit.power(&Rational::from(matrix.rows())),
+        ))
     }
 
     /// adj A of a square matrix.
@@ -200,7 +212,10 @@ impl Elaborator {
 
 /// The unit of all entries that are not 0, if it is one.
 fn one_unit(matrix: &Value) -> Option<Unit> {
-    let mut units = matrix.entries().iter().filter_map(|entry| entry.unit.as_ref());
+    let mut units = matrix
+        .entries()
+        .iter()
+        .filter_map(|entry| entry.unit.as_ref());
     let first = units.next().cloned().unwrap_or_default();
     units.all(|unit| *unit == first).then_some(first)
 }

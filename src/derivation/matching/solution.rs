@@ -15,8 +15,8 @@ use crate::derivation::elaboration::limit::check_minors_of;
 use crate::derivation::scope::Meaning;
 use crate::derivation::syntax::{Expression, Matching, Name, Replacement, Span};
 
-use super::{Existence, Singularity};
 use super::equations::Equations;
+use super::{Existence, Singularity};
 
 /// Where the powers stand whose coefficients are used.
 fn of_powers(matching: &Matching) -> Span {
@@ -119,11 +119,17 @@ impl Elaborator {
                 factors.push(factor);
             }
         }
-        let kept: Vec<&Polynomial> = conditions.iter().map(|(_, polynomial)| polynomial).collect();
+        let kept: Vec<&Polynomial> = conditions
+            .iter()
+            .map(|(_, polynomial)| polynomial)
+            .collect();
         let mut found = Vec::new();
         for (place, factor) in factors.iter().enumerate() {
             let others = factors.iter().enumerate().filter(|(at, _)| *at != place);
-            let elsewhere: Vec<&Polynomial> = others.map(|(_, other)| other).chain(kept.iter().copied()).collect();
+            let elsewhere: Vec<&Polynomial> = others
+                .map(|(_, other)| other)
+                .chain(kept.iter().copied())
+                .collect();
             let existence = existence_at(&self.ring, factor, solution, &elsewhere).map_err(wrap)?;
             let factor = self.presenter().polynomial(factor).map_err(wrap)?;
             found.push(Singularity { factor, existence });
@@ -219,6 +225,9 @@ fn has_a_value_off(
 }
 
 fn total_degree(polynomial: &Polynomial) -> u32 {
-    let degrees = polynomial.terms().iter().map(|(monomial, _)| monomial.degree());
+    let degrees = polynomial
+        .terms()
+        .iter()
+        .map(|(monomial, _)| monomial.degree());
     degrees.max().unwrap_or(0)
 }
