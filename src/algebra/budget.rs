@@ -22,9 +22,10 @@ pub const LARGEST_EXPONENT: u32 = u16::MAX as u32;
 /// word each. Coefficients of `v` and `w` words cost `v·w` steps. Counting
 /// steps instead of seconds makes the outcome the same on every machine.
 ///
-/// The memory of a computation is bounded as well, whatever the supply:
-/// [`MOST_TERMS`] terms in a polynomial, [`MOST_BITS`] bits in an integer and
-/// [`LARGEST_EXPONENT`] as an exponent.
+/// What is kept costs steps, too, so that a supply bounds the memory of a
+/// computation. Whatever the supply, there are at most [`MOST_TERMS`] terms in a
+/// polynomial, [`MOST_BITS`] bits in an integer and [`LARGEST_EXPONENT`] as an
+/// exponent.
 ///
 /// ```
 /// use sextic::algebra::budget::Budget;
@@ -39,7 +40,12 @@ pub const LARGEST_EXPONENT: u32 = u16::MAX as u32;
 pub struct Budget {
     limit: u64,
     remaining: Cell<u64>,
+    /// What all computations together may still take.
+    reserve: Cell<u64>,
 }
+
+/// So many full supplies are there in all.
+const SUPPLIES: u64 = 12;
 
 impl Budget {
     /// A supply of `limit` steps.
@@ -47,6 +53,7 @@ impl Budget {
         Budget {
             limit,
             remaining: Cell::new(limit),
+            reserve: Cell::new(limit.saturating_mul(SUPPLIES)),
         }
     }
 
@@ -60,9 +67,10 @@ impl Budget {
         self.limit
     }
 
-    /// Makes the supply full again, for the next computation.
+    /// Makes the supply full again, for the next computation; after some full ones were used up, there
+    /// is none.
     pub fn refill(&self) {
-        self.remaining.set(self.limit);
+        self.remaining.set(self.limit.min(self.reserve.get()));
     }
 
     /// Takes `steps` from the supply.
@@ -72,10 +80,17 @@ impl Budget {
     /// [`Exhausted`] if fewer are left; then none are left afterwards, so that
     /// smaller computations do not slip through once a large one has failed.
     pub fn spend(&self, steps: u64) -> Result<(), Exhausted> {
-        let left = self.remaining.get().checked_sub(steps);
+        let (remaining, reserve) = (self.remaining.get(), self.reserve.get());
+        let left = remaining.checked_sub(steps);
         self.remaining.set(left.unwrap_or(0));
+        self.reserve
+            .set(reserve - remaining.min(steps).min(reserve));
         match left {
             Some(_) => Ok(()),
+            None if self.reserve.get() == 0 => Err(Exhausted {
+                resource: Resource::AllSteps,
+                limit: self.limit.saturating_mul(SUPPLIES),
+            }),
             None => Err(Exhausted {
                 resource: Resource::Steps,
                 limit: self.limit,
@@ -89,6 +104,8 @@ impl Budget {
 pub enum Resource {
     /// Steps of a [`Budget`].
     Steps,
+    /// Steps of a [`Budget`] for all computations together.
+    AllSteps,
     /// Terms of a polynomial.
     Terms,
     /// Bits of an integer.
@@ -111,6 +128,9 @@ impl fmt::Display for Exhausted {
         let limit = self.limit;
         match self.resource {
             Resource::Steps => write!(f, "the computation needs more than {limit} steps"),
+            Resource::AllSteps => {
+                write!(f, "all computations together need more than {limit} steps")
+            }
             Resource::Terms => write!(f, "a polynomial needs more than {limit} terms"),
             Resource::Bits => write!(f, "an integer needs more than {limit} bits"),
             Resource::Exponent => write!(f, "an exponent is larger than {limit}"),
@@ -165,6 +185,20 @@ mod tests {
         assert_eq!((refusal.resource, refusal.limit), (Resource::Steps, 5));
         assert!(budget.spend(1).is_err());
         assert!(budget.spend(0).is_ok());
+    }
+
+    #[test]
+    fn all_supplies_together_are_bounded() {
+        let budget = Budget::new(10);
+        for _ in 0..SUPPLIES {
+            assert!(budget.spend(10).is_ok());
+            budget.refill();
+        }
+        let refusal = budget.spend(1).unwrap_err();
+        assert_eq!(
+            refusal.to_string(),
+            "all computations together need more than 120 steps"
+        );
     }
 
     #[test]

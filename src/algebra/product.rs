@@ -21,6 +21,10 @@ use super::polynomial::{Polynomial, Term};
 /// them are likely to meet in the same term.
 const MOST_SORTED: usize = 256;
 
+/// What it costs to keep a term, and how many terms of a product cost nothing.
+const STEPS_FOR_A_TERM: u64 = 10;
+const MOST_FREE: usize = 100;
+
 impl Polynomial {
     /// `self · other`.
     ///
@@ -45,7 +49,7 @@ impl Polynomial {
         let summands = self.len().min(other.len());
         let bits = widest(self) + widest(other) + summands.ilog2() as usize + 1;
         check_bits(bits)?;
-        match (self.terms(), other.terms()) {
+        let product = match (self.terms(), other.terms()) {
             ([term], _) => other.times_term(term),
             (_, [term]) => self.times_term(term),
             _ => {
@@ -56,7 +60,9 @@ impl Polynomial {
                     _ => collect::<Monomial, Integer>(self, other, &layout),
                 }
             }
-        }
+        }?;
+        budget.spend(STEPS_FOR_A_TERM * product.len().saturating_sub(MOST_FREE) as u64)?;
+        Ok(product)
     }
 
     /// `self^exponent`; `0^0` is 1.

@@ -131,11 +131,12 @@ impl Ring {
             mixed = -&mixed;
         }
         if !mixed.is_one() {
+            let mixed = self.reduce(&mixed)?;
             if mixed.as_constant().is_some() || mixed.square_root(self.budget())?.is_some() {
                 return Err(AlgebraError::UnknownSign);
             }
             // What has no known sign keeps one root together.
-            single.push(self.reduce(&mixed)?);
+            single.push(mixed);
         }
         let root = Fraction::from(self.reduce(&root)?);
         single.into_iter().try_fold(root, |product, radicand| {

@@ -1,6 +1,7 @@
 //! The engine: what documents mean, and what becomes of their assertions.
 
 mod bad_meaning;
+mod conditions;
 mod explosions;
 mod identities;
 mod matching;

@@ -42,7 +42,7 @@ pub fn algebra(error: AlgebraError, span: &Span) -> Diagnostic {
         AlgebraError::UnknownSign => (
             DiagnosticKind::Unsupported,
             "the sign below this root, or of the root, cannot be told".to_string(),
-            "a root of a square whose base may be negative",
+            "a root of what may be negative, or of a square whose base may be",
             "state a sign with `parameter … > 0` or `assume … > 0`; for √−1 declare `imaginary i`",
         ),
         AlgebraError::NotReal => (

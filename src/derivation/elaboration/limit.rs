@@ -30,6 +30,9 @@ const MOST_REPLACEMENTS: usize = 500;
 /// The most terms that the entries of one value may have together.
 const MOST_TERMS_OF_A_VALUE: usize = 1_000_000;
 
+/// The most terms that the residuals of one matching may have together.
+const MOST_TERMS_OF_RESIDUALS: usize = 50_000;
+
 /// Allows so many calls within each other.
 pub fn check_calls(depth: usize, function: &Name, span: &Span) -> Result<(), Diagnostic> {
     if depth < DEEPEST_CALL {
@@ -71,6 +74,24 @@ pub fn check_terms(value: &Value, span: &Span) -> Result<(), Diagnostic> {
         Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
             .with_label("given up here")
             .with_help("compute with fewer entries at a time"),
+    )
+}
+
+/// Allows the residuals of a matching by the number of their terms, before they are written out.
+pub fn check_residuals(terms: usize, span: &Span) -> Result<(), Diagnostic> {
+    if terms <= MOST_TERMS_OF_RESIDUALS {
+        return Ok(());
+    }
+    let message = format!(
+        "this is too large to compute: the residuals of this matching have more than \
+         {MOST_TERMS_OF_RESIDUALS} terms"
+    );
+    Err(
+        Diagnostic::new(DiagnosticKind::Budget, span.clone(), message)
+            .with_label("given up here")
+            .with_help(
+                "match fewer unknowns at a time, or let a `parameter` stand for a coefficient",
+            ),
     )
 }
 
@@ -139,7 +160,7 @@ pub fn check_minors_of(
                     next.insert(left & !(1 << column));
                 }
             }
-            if (count + next.len()) * weight > MOST_MINORS {
+            if (count + next.len()).saturating_mul(weight) > MOST_MINORS {
                 let message = format!(
                     "this is too large to compute: the determinants of this {rows}×{columns} matrix \
                      need more than {MOST_MINORS} minors"

@@ -105,10 +105,31 @@ impl Elaborator {
                 .with_label("has no inverse")
                 .with_help("look at its null space with `kernel(…)`")
         };
+        if self.minors_are_few(matrix, span).is_ok() {
+            let below = self.determinant(matrix, span)?;
+            let above = self.adjugate(matrix, span)?;
+            if below.value.is_zero() {
+                return Err(singular());
+            }
+            return self.divide(&above, &below, span);
+        }
         let solved = self
             .solved(matrix, &identity(matrix.rows()), span)?
             .ok_or_else(singular)?;
         self.divide(&solved.numerators, &solved.determinant, span)
+    }
+
+    /// Whether the minors of all entries are few enough to compute; those of numbers are better left to
+    /// elimination.
+    fn minors_are_few(&self, matrix: &Value, span: &Span) -> Result<(), Diagnostic> {
+        const MOST_ROWS_OF_NUMBERS: usize = 4;
+        let is_number = |entry: &Quantity| entry.value.as_constant().is_some();
+        let of_numbers = matrix.entries().iter().all(is_number);
+        let weight = match of_numbers && matrix.rows() > MOST_ROWS_OF_NUMBERS {
+            true => usize::MAX >> 1,
+            false => matrix.rows().pow(2).div_ceil(50),
+        };
+        check_minors(matrix, weight, span)
     }
 
     /// The solution of A·X = B, by minors where they are few, else by elimination; none where A is
@@ -119,27 +140,39 @@ impl Elaborator {
         right: &Value,
         span: &Span,
     ) -> Result<Option<Solution<Quantity>>, Diagnostic> {
-        let refused = match check_minors(matrix, matrix.rows().pow(2).div_ceil(50), span) {
-            Ok(()) => {
+        let units = one_unit(matrix).zip(one_unit(right));
+        match (self.minors_are_few(matrix, span), units) {
+            (Ok(()), _) => {
                 let solved = solve(matrix, right, &Quantities(&self.ring));
                 let solved = solved.map_err(|error| quantity(error, span))?;
-                return Ok(Some(solved).filter(|solved| !solved.determinant.value.is_zero()));
+                Ok(Some(solved).filter(|solved| !solved.determinant.value.is_zero()))
             }
-            Err(refused) => refused,
-        };
-        let (Some(unit), Some(of_right)) = (one_unit(matrix), one_unit(right)) else {
-            return Err(refused);
-        };
-        let solved = self
+            (Err(_), Some((unit, of_right))) => {
+                self.eliminated(matrix, &unit, right, &of_right, span)
+            }
+            (Err(refused), None) => Err(refused),
+        }
+    }
+
+    /// The same by elimination, where the entries have one unit on either side.
+    fn eliminated(
+        &self,
+        matrix: &Value,
+        unit: &Unit,
+        right: &Value,
+        of_right: &Unit,
+        span: &Span,
+    ) -> Result<Option<Solution<Quantity>>, Diagnostic> {
+        let solved = match self
             .ring
-            .eliminated_solution(&values(matrix), &values(right));
-        let solved = match solved {
+            .eliminated_solution(&values(matrix), &values(right))
+        {
             Err(AlgebraError::DivisionByZero) => return Ok(None),
             solved => solved.map_err(|error| algebra(error, span))?,
         };
         let size = Rational::from(matrix.rows());
         let of_others = unit.power(&(&size - Rational::ONE));
-        let of_numerators = of_others.product(&of_right);
+        let of_numerators = of_others.product(of_right);
         Ok(Some(Solution {
             numerators: solved
                 .numerators
@@ -168,7 +201,11 @@ impl Elaborator {
 
     /// adj A of a square matrix.
     pub fn adjugate(&self, matrix: &Value, span: &Span) -> Result<Value, Diagnostic> {
-        check_minors(matrix, matrix.rows().pow(2).div_ceil(50), span)?;
+        if let Err(refused) = check_minors(matrix, matrix.rows().pow(2).div_ceil(50), span) {
+            // Of a matrix that is not singular it is what solves A·X = |A|·1.
+            let solved = self.solved(matrix, &identity(matrix.rows()), span)?;
+            return solved.map(|solved| solved.numerators).ok_or(refused);
+        }
         adjugate(matrix, &Quantities(&self.ring)).map_err(|error| quantity(error, span))
     }
 }

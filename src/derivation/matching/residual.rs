@@ -5,6 +5,7 @@ use crate::algebra::substitution::Substitution;
 use crate::derivation::diagnostic::Diagnostic;
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::algebra;
+use crate::derivation::elaboration::limit::check_residuals;
 use crate::derivation::syntax::Matching;
 
 use super::{Coefficients, Row};
@@ -20,8 +21,9 @@ impl Elaborator {
         coefficients: &Coefficients,
         solution: &Substitution,
     ) -> Result<Vec<Row>, Diagnostic> {
+        let mut terms = 0;
         let rows = (0..=coefficients.degree()).rev();
-        rows.map(|power| self.residual(power, matching, coefficients, solution))
+        rows.map(|power| self.residual(power, matching, coefficients, solution, &mut terms))
             .collect()
     }
 
@@ -31,11 +33,14 @@ impl Elaborator {
         matching: &Matching,
         coefficients: &Coefficients,
         solution: &Substitution,
+        terms: &mut usize,
     ) -> Result<Row, Diagnostic> {
         let wrap = |error| algebra(error, &matching.exact.span);
         let (exact, assumed) = coefficients.at(power);
         let solved = self.ring.substitute(&assumed, solution).map_err(wrap)?;
         let residual = self.ring.difference(&exact, &solved).map_err(wrap)?;
+        *terms += residual.numerator().len() + residual.denominator().len();
+        check_residuals(*terms, &matching.assumed.span)?;
         let leading = match &coefficients.small[..] {
             [] => None,
             small => {

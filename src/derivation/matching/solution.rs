@@ -54,14 +54,21 @@ impl Elaborator {
             equations.rows[row][column].clone()
         });
         let is_zero = |row: usize, column: usize| equations.rows[row][column].is_zero();
-        check_minors_of((count, count), is_zero, count + 1, span)?;
+        let few = check_minors_of((count, count), is_zero, count + 1, span).is_ok();
         let right = Matrix::from_fn(count, 1, |row, _| equations.right[row].clone());
-        let solved = solve(&matrix, &right, &self.ring).map_err(wrap)?;
-        if solved.determinant.is_zero() {
+        let solved = match few {
+            true => solve(&matrix, &right, &self.ring),
+            false => self.ring.eliminated_solution(&matrix, &right),
+        };
+        let solved = match solved {
+            Err(AlgebraError::DivisionByZero) => None,
+            solved => Some(solved.map_err(wrap)?),
+        };
+        let Some(solved) = solved.filter(|solved| !solved.determinant.is_zero()) else {
             return Err(singular(
                 "the matching is singular: its determinant is identically 0".into(),
             ));
-        }
+        };
         let solution: Result<Vec<Fraction>, _> = solved
             .numerators
             .entries()
