@@ -52,7 +52,10 @@ pub fn run(arguments: &Arguments) -> Outcome {
     for skipped in audits.iter().flat_map(|audit| &audit.skipped) {
         if skipped.what.starts_with("the matching") {
             let reason = &skipped.basis.reason;
-            complain(&format!("line {}: {} is skipped: it {reason}\n", skipped.line, skipped.what));
+            complain(&format!(
+                "line {}: {} is skipped: it {reason}\n",
+                skipped.line, skipped.what
+            ));
         }
     }
     let width = width(arguments.width);

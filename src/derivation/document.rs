@@ -189,7 +189,11 @@ fn take_duplicates(statements: &mut Vec<Statement>) -> Vec<Unread> {
         }
     }
     let mut place = 0..;
-    statements.retain(|_| place.next().is_none_or(|place| !refused.contains_key(&place)));
+    statements.retain(|_| {
+        place
+            .next()
+            .is_none_or(|place| !refused.contains_key(&place))
+    });
     refused.into_values().collect()
 }
 

@@ -74,7 +74,8 @@ impl Intent {
 
     /// What a statement is meant to do.
     pub fn of(statement: &Statement) -> Self {
-        let values = |names: &[Spanned<Name>]| names.iter().map(|name| name.value.clone()).collect();
+        let values =
+            |names: &[Spanned<Name>]| names.iter().map(|name| name.value.clone()).collect();
         let mut intent = Intent::default();
         match &statement.kind {
             StatementKind::Import { .. } => intent = Intent::anything(),
@@ -185,7 +186,10 @@ impl Words<'_> {
         if let Some(exact) = all().find(|word| *word == first) {
             return Some(exact);
         }
-        let is_definition = self.tokens.iter().any(|token| token.kind == TokenKind::Define);
+        let is_definition = self
+            .tokens
+            .iter()
+            .any(|token| token.kind == TokenKind::Define);
         if is_keyword(first) || is_definition || second == Some(TokenKind::Equals) {
             return None;
         }
@@ -240,7 +244,11 @@ impl Words<'_> {
     /// The names before `:=`, or before `=` where that was meant, whether they take arguments, and the
     /// names behind.
     fn defined(&self) -> Option<(Vec<Name>, bool, Vec<Name>)> {
-        if self.tokens.first().is_some_and(|first| is_keyword(self.text_of(first))) {
+        if self
+            .tokens
+            .first()
+            .is_some_and(|first| is_keyword(self.text_of(first)))
+        {
             return None;
         }
         let place = |kind| self.tokens.iter().position(|token| token.kind == kind);

@@ -99,9 +99,15 @@ impl<'a> Summary<'a> {
         match (self.mistakes, self.skipped) {
             (0, _) => self.verdicts(),
             (1, 0) => format!("There is 1 mistake. {}", self.verdicts()),
-            (1, _) => format!("There is 1 mistake; {skipped} skipped for it. {}", self.verdicts()),
+            (1, _) => format!(
+                "There is 1 mistake; {skipped} skipped for it. {}",
+                self.verdicts()
+            ),
             (_, 0) => format!("There are {mistakes}. {}", self.verdicts()),
-            _ => format!("There are {mistakes}; {skipped} skipped for them. {}", self.verdicts()),
+            _ => format!(
+                "There are {mistakes}; {skipped} skipped for them. {}",
+                self.verdicts()
+            ),
         }
     }
 

@@ -179,7 +179,11 @@ fn mistakes_are_json_too() {
     let [first, second] = [0, 1].map(|place| &json["diagnostics"][place]);
     assert_eq!((&first["line"], &first["column"]), (&7.into(), &6.into()));
     assert_eq!(first["kind"], "unit");
-    assert!(first["path"].as_str().is_some_and(|own| own.ends_with("mistake-json.md")));
+    assert!(
+        first["path"]
+            .as_str()
+            .is_some_and(|own| own.ends_with("mistake-json.md"))
+    );
     assert!(first["message"].is_string() && first["help"].is_string());
     assert_eq!(second["kind"], "missing-file");
     let document = &json["documents"][0];
@@ -187,14 +191,20 @@ fn mistakes_are_json_too() {
     assert_eq!(document["assumptions"][0]["statement"], "a < 2*b");
     let claim = &document["claims"][1];
     assert_eq!(claim["verdict"], "skipped");
-    assert!(claim["reason"].as_str().is_some_and(|own| own.contains("`q`")));
+    assert!(
+        claim["reason"]
+            .as_str()
+            .is_some_and(|own| own.contains("`q`"))
+    );
     assert_eq!(document["skipped"][0]["rests_on"]["name"], "q");
     assert_eq!(document["skipped"][0]["rests_on"]["line"], 7);
 }
 
 #[test]
 fn of_many_mistakes_the_first_are_told() {
-    let lines: Vec<String> = (0..10_000).map(|number| format!("q{number} := x{number}")).collect();
+    let lines: Vec<String> = (0..10_000)
+        .map(|number| format!("q{number} := x{number}"))
+        .collect();
     let path = document("many.md", &block(&lines.join("\n")));
     let output = sextic(&["audit", path.to_str().expect("a path"), "--format", "json"]);
     let told = String::from_utf8_lossy(&output.stderr).into_owned();
@@ -207,10 +217,23 @@ fn of_many_mistakes_the_first_are_told() {
 
 #[test]
 fn nothing_is_compiled_from_a_document_with_a_mistake() {
-    let path = document("compiled.md", &block("evaluator (1) sum: s = a + b\nq := a + a^2"));
+    let path = document(
+        "compiled.md",
+        &block("evaluator (1) sum: s = a + b\nq := a + a^2"),
+    );
     let path = path.to_str().expect("a path");
     for arguments in [
-        ["evaluate", "sum", "--document", path, "--set", "a=1", "--set", "b=2"].as_slice(),
+        [
+            "evaluate",
+            "sum",
+            "--document",
+            path,
+            "--set",
+            "a=1",
+            "--set",
+            "b=2",
+        ]
+        .as_slice(),
         &["generate", path, "--out", "nowhere", "--language", "c"],
     ] {
         let output = sextic(arguments);

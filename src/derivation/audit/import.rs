@@ -135,7 +135,8 @@ impl Reader<'_> {
 }
 
 /// What follows is said once, and not of every name that is then not known.
-const LOST: &str = "what builds on a name that is not known is skipped, since it may come from there";
+const LOST: &str =
+    "what builds on a name that is not known is skipped, since it may come from there";
 
 fn missing(path: &Spanned<String>, reason: String) -> Diagnostic {
     let message = format!("`{}` cannot be imported", path.value);

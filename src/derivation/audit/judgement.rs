@@ -137,13 +137,22 @@ refute (3): x == y
         let alone = audit(&source, &ShippedLibrary).expect("a document");
         let mut reader = Reader::new(&ShippedLibrary, &[], FailedMatchings::new());
         let mut read = reader.read(&source).expect("a document");
-        read.findings[0].assertion.relation.right = read.findings[1].assertion.relation.right.clone();
+        read.findings[0].assertion.relation.right =
+            read.findings[1].assertion.relation.right.clone();
         let (claims, _) = reader.judge(&mut read);
         assert!(claims[0].fault && claims[0].verdict == Verdict::Undecided);
-        assert!(claims[0].reason.as_ref().is_some_and(|reason| reason.contains(FAULT)));
+        assert!(
+            claims[0]
+                .reason
+                .as_ref()
+                .is_some_and(|reason| reason.contains(FAULT))
+        );
         for (claim, same) in claims.iter().zip(&alone.claims).skip(1) {
             assert!(!claim.fault);
-            assert_eq!((claim.verdict, &claim.witness), (same.verdict, &same.witness));
+            assert_eq!(
+                (claim.verdict, &claim.witness),
+                (same.verdict, &same.witness)
+            );
         }
         let mistakes = reader.refusals.mistakes;
         assert_eq!(mistakes.len(), 1);

@@ -17,8 +17,8 @@ use crate::derivation::notation::Notation;
 use crate::derivation::quantity::Quantity;
 use crate::derivation::scope::Meaning;
 use crate::derivation::syntax::{
-    BinaryOperator, Comparison, Expectation, Expression, Name, Relation, Span, Spanned,
-    Statement, StatementKind,
+    BinaryOperator, Comparison, Expectation, Expression, Name, Relation, Span, Spanned, Statement,
+    StatementKind,
 };
 use crate::derivation::verdict::{Claim, Verdict};
 
@@ -390,7 +390,10 @@ fn asserted(statement: &Statement, line: usize) -> Option<Assertion> {
 /// What a statement is, in words.
 fn what(statement: &StatementKind) -> String {
     let list = |names: &[Spanned<Name>]| {
-        let names: Vec<String> = names.iter().map(|name| format!("`{}`", name.value)).collect();
+        let names: Vec<String> = names
+            .iter()
+            .map(|name| format!("`{}`", name.value))
+            .collect();
         names.join(", ")
     };
     match statement {

@@ -178,7 +178,11 @@ impl Refusals {
                 symbols.extend(refused.symbols.clone()?);
             }
             let entry = scope.get(name);
-            symbols.extend(entry.iter().flat_map(|entry| entry.rests_on().map(str::to_string)));
+            symbols.extend(
+                entry
+                    .iter()
+                    .flat_map(|entry| entry.rests_on().map(str::to_string)),
+            );
             let is_known = is_built_in || refused.is_some() || entry.is_some();
             if are_names && !is_known {
                 return None;
@@ -273,7 +277,9 @@ impl Refusals {
         for assumption in assumptions {
             let symbols = symbols_of(&assumption.names(), scope);
             for symbol in &symbols {
-                tied.entry(symbol.clone()).or_default().push(symbols.clone());
+                tied.entry(symbol.clone())
+                    .or_default()
+                    .push(symbols.clone());
             }
         }
         open.reverse();
@@ -305,7 +311,9 @@ impl Uncertain {
     ) -> Option<Reason> {
         let about = || {
             let symbols = symbols_of(names, scope);
-            symbols.iter().find_map(|own| self.symbols.get(own).cloned())
+            symbols
+                .iter()
+                .find_map(|own| self.symbols.get(own).cloned())
         };
         let place = self.all.clone().or_else(about)?;
         let kind = Kind::Assumed;

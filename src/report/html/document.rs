@@ -281,7 +281,9 @@ impl Judged<'_> {
         let (span, audit) = (&statement.span, self.audit);
         let mut mistakes = audit.mistakes.iter();
         let own = mistakes.find(|own| {
-            let Diagnostic { kind, span: place, .. } = &own.diagnostic;
+            let Diagnostic {
+                kind, span: place, ..
+            } = &own.diagnostic;
             let is_own = own.path == audit.path && span.contains(&place.start);
             is_own && *kind != DiagnosticKind::Disagreement
         });
@@ -297,7 +299,13 @@ impl Judged<'_> {
         let source = self.text.get(span.clone()).unwrap_or_default();
         RefusedView {
             word,
-            line: self.text.get(..span.start).unwrap_or_default().matches('\n').count() + 1,
+            line: self
+                .text
+                .get(..span.start)
+                .unwrap_or_default()
+                .matches('\n')
+                .count()
+                + 1,
             source: source.chars().take(MOST_SOURCE).collect(),
             reason,
         }

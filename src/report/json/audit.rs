@@ -146,10 +146,13 @@ fn document(audit: &Audit) -> DocumentObject<'_> {
 }
 
 fn declarations<'a>(premises: &Premises<'a>) -> Vec<DeclarationObject<'a>> {
-    let signs = premises.signs.iter().map(|(sign, names)| DeclarationObject {
-        names: names.iter().map(|name| name.ascii.as_str()).collect(),
-        sign: words::sign(*sign, Notation::Ascii),
-    });
+    let signs = premises
+        .signs
+        .iter()
+        .map(|(sign, names)| DeclarationObject {
+            names: names.iter().map(|name| name.ascii.as_str()).collect(),
+            sign: words::sign(*sign, Notation::Ascii),
+        });
     signs.collect()
 }
 
