@@ -299,7 +299,14 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     let lower = name.to_lowercase();
     // A third of the letters may be wrong: none of one letter, one of two.
     let limit = (name.chars().count() + 1) / 3;
-    let distances = candidates.into_iter().map(|candidate| {
+    let length = lower.chars().count();
+    // As many letters are wrong at least as there are too few or too many.
+    let is_of_length = |candidate: &&str| {
+        let letters = candidate.chars().flat_map(char::to_lowercase).count();
+        letters.abs_diff(length) <= limit
+    };
+    let candidates = candidates.into_iter().filter(is_of_length);
+    let distances = candidates.map(|candidate| {
         let exact = strsim::damerau_levenshtein(name, candidate);
         let folded = strsim::damerau_levenshtein(&lower, &candidate.to_lowercase());
         (exact, folded, candidate)

@@ -76,10 +76,7 @@ fn a_mistake_costs_what_builds_on_it() {
                 "{label} of {section}"
             );
             assert!(is_skipped || claim.as_expected(), "{label} of {section}");
-            assert_eq!(
-                is_skipped,
-                claim.reason.is_some() && claim.witness.is_none()
-            );
+            assert!(!is_skipped || claim.reason.is_some() && claim.witness.is_none());
         }
         let evaluators: Vec<&str> = audit
             .evaluators
