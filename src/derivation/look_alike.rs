@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
 use super::function::NAMES;
 use super::line_end::unified;
-use super::name::skeleton::skeleton;
+use super::name::skeleton::looks;
 use super::syntax::{EvaluatorBody, Name, Span, Spanned, Statement, StatementKind};
 
 /// The names that documents declare, by what they look like.
@@ -54,8 +54,7 @@ impl Looks {
             place: Place::Here(name.span.clone()),
         };
         let mut error = None;
-        for look in [&name.value.unicode, &name.value.ascii] {
-            let look = skeleton(look);
+        for look in looks(&name.value) {
             if NAMES.contains(&look.as_str()) && look != name.value.ascii {
                 error.get_or_insert_with(|| taken_for_built_in(name, &look));
             }
