@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
 use super::function::NAMES;
 use super::line_end::unified;
-use super::name::skeleton::skeleton;
+use super::name::skeleton::{differ_slightly, looks};
 use super::syntax::{EvaluatorBody, Name, Span, Spanned, Statement, StatementKind};
 
 /// The names that documents declare, by what they look like.
@@ -54,13 +54,15 @@ impl Looks {
             place: Place::Here(name.span.clone()),
         };
         let mut error = None;
-        for look in [&name.value.unicode, &name.value.ascii] {
-            let look = skeleton(look);
+        for look in looks(&name.value) {
             if NAMES.contains(&look.as_str()) && look != name.value.ascii {
                 error.get_or_insert_with(|| taken_for_built_in(name, &look));
             }
             let known = self.by_skeleton.entry(look).or_insert_with(|| own.clone());
-            if known.name != own.name {
+            // What another document calls v is known as that where this one has a ν.
+            let is_told_apart = matches!(known.place, Place::There(_))
+                && differ_slightly(&known.name.unicode, &own.name.unicode);
+            if known.name != own.name && !is_told_apart {
                 error.get_or_insert_with(|| same_look(name, known));
             }
         }

@@ -122,8 +122,33 @@ const HTML: &[(&str, &str)] = &[
     ("<STYLE>\n\n", "\n"), ("</div>\n\n", "\n"), ("- a\n\n  <div>\n\n", "\n"), ("# <del>a\n\n", "\n"),
 ];
 
+/// Letters that look the same, in pairs.
+#[rustfmt::skip]
+const PAIRS: &[(char, char)] = &[
+    ('A', 'Α'), ('H', 'Η'), ('P', 'Ρ'), ('T', 'Τ'), ('X', 'Χ'), ('o', 'ο'), ('i', 'ι'), ('v', 'ν'),
+    ('u', 'υ'), ('x', 'χ'), ('O', '0'), ('l', '1'),
+];
+
+/// Two spellings with one look.
+fn one_look() -> impl Strategy<Value = (String, String)> {
+    let letter = (select(PAIRS.to_vec()), any::<bool>(), any::<bool>());
+    let letters = proptest::collection::vec((letter, select(vec!["", "_", "__"])), 1..6);
+    letters.prop_map(|letters| {
+        let pick =
+            |((one, other), is_other): ((char, char), bool)| if is_other { other } else { one };
+        let (mut left, mut right) = ("A_".to_owned(), "A_".to_owned());
+        for ((pair, first, second), between) in letters {
+            left.extend([pick((pair, first))]);
+            right.extend([pick((pair, second))]);
+            left += between;
+            right += if between.is_empty() { "" } else { "_" };
+        }
+        (left, right)
+    })
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(ProptestConfig::with_cases(1000))]
 
     #[test]
     fn what_is_not_seen_stands_nowhere(place in select(places(WELL)), hidden in hidden_character()) {
@@ -139,6 +164,16 @@ proptest! {
         text.insert_str(place, end);
         // A carriage return before the end of a line makes one sort of the other.
         prop_assert!(read(&text).is_err());
+    }
+
+    #[test]
+    fn one_look_is_one_spelling((one, other) in one_look(), split in any::<bool>()) {
+        prop_assume!(one != other);
+        let between = if split { ":= 1\n" } else { ", " };
+        let first = if split { "" } else { "parameter " };
+        let last = if split { ":= 2" } else { ": 1" };
+        let text = format!("```sextic\n{first}{one}{between}{other} {last}\n```\n");
+        prop_assert!(read(&text).is_err(), "{text}");
     }
 
     #[test]

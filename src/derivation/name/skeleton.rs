@@ -1,5 +1,12 @@
 //! What a name looks like: names that a reader cannot tell apart have one skeleton.
 
+use std::collections::BTreeSet;
+
+use crate::derivation::syntax::Name;
+
+/// How many parts of a name are written in every way; longer names have a look in each spelling.
+const MOST_PARTS: usize = 6;
+
 /// Greek letters and the Latin ones that are drawn in the same way, or so nearly that a reader who looks
 /// for one sees it in the other. ρ and κ are told from p and k: papers have both of them in one place.
 const LOOK_ALIKES: [(char, char); 19] = [
@@ -26,11 +33,31 @@ const LOOK_ALIKES: [(char, char); 19] = [
 
 /// A spelling with one letter for all that look like it, and without the `_` that LaTeX does not show.
 pub(crate) fn skeleton(spelling: &str) -> String {
+    parts(spelling).join("_")
+}
+
+/// Everything that a name looks like: each part may be written in Greek letters or in ASCII.
+pub(crate) fn looks(name: &Name) -> BTreeSet<String> {
+    let (unicode, ascii) = (parts(&name.unicode), parts(&name.ascii));
+    let whole = [&name.unicode, &name.ascii].map(|spelling| skeleton(spelling));
+    if unicode.len() != ascii.len() || unicode.len() > MOST_PARTS {
+        return BTreeSet::from(whole);
+    }
+    let mut looks = BTreeSet::from([String::new()]);
+    for (unicode, ascii) in unicode.iter().zip(&ascii) {
+        let add = |begun: &String| [unicode, ascii].map(|part| format!("{begun}_{part}"));
+        looks = looks.iter().flat_map(add).collect();
+    }
+    let behind = |look: &String| look.trim_start_matches('_').to_owned();
+    looks.iter().map(behind).collect()
+}
+
+/// The parts of a spelling, with one letter for all that look like it.
+fn parts(spelling: &str) -> Vec<String> {
     let parts = spelling.split('_').filter(|part| !part.is_empty());
-    let parts: Vec<String> = parts
+    parts
         .map(|part| part.chars().map(prototype).collect())
-        .collect();
-    parts.join("_")
+        .collect()
 }
 
 /// The letter for all that look like it.
@@ -46,6 +73,14 @@ fn prototype(character: char) -> char {
 fn latin_double(character: char) -> Option<char> {
     let mut pairs = LOOK_ALIKES.iter();
     pairs.find_map(|&(greek, latin)| (greek == character).then_some(latin))
+}
+
+/// Whether two names of one look differ by small letters that look alike, but not quite the same.
+pub(crate) fn differ_slightly(one: &str, other: &str) -> bool {
+    let mut pairs = one.chars().zip(other.chars());
+    pairs.any(|(one, other)| {
+        one != other && [one, other].iter().any(|letter| "ινυχ".contains(*letter))
+    })
 }
 
 /// A Greek letter among Latin ones in one part of a name that nobody can tell from a Latin one.
@@ -85,6 +120,13 @@ mod tests {
         ] {
             assert_ne!(skeleton(one), skeleton(other), "{one} {other}");
         }
+    }
+
+    #[test]
+    fn parts_are_written_in_either_spelling() {
+        let looks = looks(&Name::new("xi_Α_n"));
+        let expected = ["xi_A_n", "xi_Alpha_n", "ξ_A_n", "ξ_Alpha_n"];
+        assert_eq!(looks, expected.map(str::to_owned).into());
     }
 
     #[test]
