@@ -94,6 +94,9 @@ pub(super) fn cosine_and_sine(angles: &[f64]) -> [Ball; 2] {
         }
         sum = next;
     }
+    if sum == 0.0 && lost == 0.0 {
+        return [Ball::ONE, Ball::ZERO];
+    }
     [sum.cos(), sum.sin()].map(|own| {
         let own_error = f64::EPSILON * own.abs() + f64::MIN_POSITIVE;
         Ball::real(own, (own_error + lost) * ABOVE)
@@ -235,6 +238,8 @@ mod tests {
             let intervals = Intervals::new(200);
             let expected = intervals.cosine_and_sine(&sum.to_string().parse().expect("a number"));
             for (ball, expected) in cosine_and_sine(&angles).iter().zip(expected) {
+                // The interval has a width, too.
+                let ball = &Ball::real(ball.centre.re, ball.radius + 1e-55);
                 for bound in intervals.bounds(&expected) {
                     let bound: Rational = bound.to_string().parse().expect("a number");
                     prop_assert!(holds(*ball, &bound, &Rational::ZERO), "{ball:?} {angles:?}");
