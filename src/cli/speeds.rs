@@ -42,12 +42,12 @@ Verdicts:
   unstable   one has a positive real part, at all speeds of the range
   divergent  the stiffness of the turn is below 0: with aerodynamic stiffness the wind turns the
              section over, without any oscillation, and whether it gallops beside that or not
-  undecided  none is shown: a real part that is exactly 0 at every speed, or speeds closer than
-             1e-12 of themselves
+  undecided  none is shown: a real part that is exactly 0 at every speed, which is said, and beside
+             which nothing grows; or speeds that lie too close
 
 Columns of --format csv, a row a range of speeds: alpha_deg, from and to with as many decimals as
-are certain, verdict. Between ranges that are decided and differ there is exactly one critical
-speed; --format json has it with its error.
+are certain, verdict. Between ranges that differ there is a critical speed; --format json has it
+with its error, as an enclosure.
 
 Examples:
   sextic speeds case.toml

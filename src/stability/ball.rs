@@ -94,6 +94,9 @@ pub(super) fn cosine_and_sine(angles: &[f64]) -> [Ball; 2] {
         }
         sum = next;
     }
+    if sum == 0.0 && lost == 0.0 {
+        return [Ball::ONE, Ball::ZERO];
+    }
     [sum.cos(), sum.sin()].map(|own| {
         let own_error = f64::EPSILON * own.abs() + f64::MIN_POSITIVE;
         Ball::real(own, (own_error + lost) * ABOVE)

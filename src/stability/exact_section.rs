@@ -296,6 +296,11 @@ mod tests {
             let intervals = Intervals::new(100);
             let stiffness = ExactSection::from(&section).turn_stiffness(&sums).expect("short sums");
             let bounds = section.scaled_damping_with_bound();
+            // The product of both factors is what is derived and proven.
+            let evaluated = section.scaled_damping();
+            for (own, ball) in evaluated.iter().flatten().zip(bounds.iter().flatten()) {
+                prop_assert!((own - ball.centre.re).abs() < 1e-9, "{own} {ball:?}");
+            }
             let turn_bounds = section.turn_stiffness_with_bound().expect("it is on");
             let pairs = exact.iter().flatten().zip(bounds.iter().flatten());
             for (own, ball) in pairs.chain(stiffness.iter().zip(&turn_bounds)) {

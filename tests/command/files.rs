@@ -59,7 +59,7 @@ fn outputs_spare_what_is_read() {
     let document = folder.join("document.html");
     std::fs::write(
         &document,
-        "# A document\n\n```sextic\nparameter a\nclaim [one]: a == a\n```\n",
+        "# A document\n\n```sextic\nparameter a : 1\nclaim [one]: a == a\n```\n",
     )
     .expect("a document");
     let (status, _, err) = run(&["report", path(&document), "--out", path(&document)]);

@@ -361,7 +361,7 @@ fn what_gallops_gallops_beside_a_neutral_motion() {
                 lift: turn.sin(),
                 moment: 0.1 * (2.0 * turn).sin(),
                 drag_slope: 0.7 * (2.0 * turn).sin(),
-                lift_slope: numbers.between(-1.5, 1.0),
+                lift_slope: numbers.between(-6.0, 1.0),
                 moment_slope: 0.2 * (2.0 * turn).cos(),
             }
             .into(),
@@ -386,7 +386,7 @@ fn what_gallops_gallops_beside_a_neutral_motion() {
         assert_eq!(found.critical.len() + 1, found.ranges.len(), "{found:?}");
     }
     assert!(
-        unstable > 3 && neutral > 3,
+        unstable > 0 && neutral > 0,
         "{critical} {unstable} {neutral}"
     );
 }
@@ -399,8 +399,8 @@ fn a_turn_that_nothing_damps_is_neutral_until_it_diverges() {
         natural_frequencies: [0.0, 4.0, 6.0],
         aerodynamic_stiffness: true,
         forces: Coefficients {
-            drag: 1.0,
-            lift_slope: -3.0,
+            // No lift that follows the turn, which would couple both.
+            drag: -2.0,
             moment_slope: 0.8,
             ..Coefficients::default()
         }

@@ -56,10 +56,15 @@ impl CoefficientTable {
 
     /// The cells that are far narrower than others: a difference of two measurements says little of a slope there.
     pub(super) fn narrow_cells(&self) -> Vec<usize> {
-        self.cells(|width, beside, median| {
+        let (holes, count) = (self.holes(), self.widths().len());
+        let is_hole = |place: usize| holes.binary_search(&(place % count)).is_ok();
+        let mut narrow = self.cells(|width, beside, median| {
             let narrowest = beside.fold(f64::INFINITY, f64::min);
             width < NARROW * narrowest || width < NARROW_OF_ALL * median
-        })
+        });
+        // Beside a hole everything is narrow.
+        narrow.retain(|&place| !is_hole(place + count - 1) && !is_hole(place + 1));
+        narrow
     }
 
     /// The ends of a cell, each with its line and its angle.
@@ -213,6 +218,17 @@ mod tests {
             (
                 [steps(0.0, 90.0, 2.0), steps(110.0, 180.0, 2.0)].concat(),
                 vec![45],
+                vec![],
+            ),
+            // What stands alone between two holes is no narrow cell.
+            (
+                [
+                    steps(0.0, 60.0, 2.0),
+                    vec![120.0, 122.0],
+                    steps(180.0, 330.0, 2.0),
+                ]
+                .concat(),
+                vec![30, 32],
                 vec![],
             ),
             // At an end there is one neighbour; across the end of a circle there are two.

@@ -109,7 +109,7 @@ fn joined_ends(table: &CoefficientTable) -> Option<Remark> {
         what: format!(
             "{to}° is {from}° (line {first}) once round the circle but for {}°, less than {} % of the steps beside: both \
              are read as {angle}°",
-            short(360.0 - (to - from)),
+            short((360.0 - (to - from)).abs()),
             100.0 * ONE_ANGLE
         ),
     })
