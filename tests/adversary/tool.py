@@ -4,10 +4,13 @@ import json
 import os
 import re
 import resource
+import signal
 import subprocess
 import tempfile
 
+# Of the processor: how much else the machine has to do must not count.
 SECONDS, BYTES = 10, 1 << 30
+PATIENCE = 20 * SECONDS
 DONE, REFUSED, ABORTED, LATE = "done", "refused", "aborted", "late"
 
 
@@ -33,11 +36,13 @@ class Tool:
         path = self.write(name, text)
         try:
             done = subprocess.run(
-                [self.command, "audit", "--format", "json", path], capture_output=True, timeout=SECONDS,
+                [self.command, "audit", "--format", "json", path], capture_output=True, timeout=PATIENCE,
                 preexec_fn=limit, cwd=self.folder, env={**os.environ, "NO_COLOR": "1"}, check=False)
         except subprocess.TimeoutExpired:
             return Run(LATE)
         said = done.stderr.decode("utf-8", "replace")
+        if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+            return Run(LATE)
         if done.returncode not in (0, 1, 2):
             return Run(ABORTED, said=said or f"status {done.returncode}")
         try:
@@ -54,7 +59,7 @@ class Tool:
         """The matchings of the document that was audited last."""
         try:
             done = subprocess.run([self.command, "match", "--format", "json", os.path.join(self.folder, name)],
-                                  capture_output=True, timeout=SECONDS, preexec_fn=limit, check=False)
+                                  capture_output=True, timeout=PATIENCE, preexec_fn=limit, check=False)
             return json.loads(done.stdout)["matchings"]
         except (subprocess.TimeoutExpired, ValueError, KeyError):
             return []
@@ -68,5 +73,6 @@ class Tool:
 
 
 def limit():
-    """The memory that the tool may take."""
+    """The memory and the time of the processor that the tool may take."""
+    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS + 1))
     resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))

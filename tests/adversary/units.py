@@ -87,6 +87,7 @@ class Units:
         if kind == "power":
             return self.power(self.of(inner[0]), exact(inner[1]))
         if kind == "at":
+            self.replaced(inner[1])
             return self.of(inner[0])
         if kind == "at named":
             return self.of(inner[0])
@@ -99,6 +100,14 @@ class Units:
         if kind == "applied":
             return self.applied(part)
         return self.call(inner[0], inner[1:])
+
+    def replaced(self, pairs):
+        """Replacements have the unit of what they replace, or are bare numbers in SI units."""
+        for target, expression in pairs:
+            try:
+                exact(expression)
+            except Mistake:
+                same(self.one(target), self.one(expression))
 
     def sum(self, a, b):
         """The units of a sum."""
