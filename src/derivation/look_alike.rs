@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
 use super::function::NAMES;
 use super::line_end::unified;
-use super::name::skeleton::{differ_slightly, looks};
+use super::name::skeleton::looks;
 use super::syntax::{EvaluatorBody, Name, Span, Spanned, Statement, StatementKind};
 
 /// The names that documents declare, by what they look like.
@@ -59,10 +59,7 @@ impl Looks {
                 error.get_or_insert_with(|| taken_for_built_in(name, &look));
             }
             let known = self.by_skeleton.entry(look).or_insert_with(|| own.clone());
-            // What another document calls v is known as that where this one has a ν.
-            let is_told_apart = matches!(known.place, Place::There(_))
-                && differ_slightly(&known.name.unicode, &own.name.unicode);
-            if known.name != own.name && !is_told_apart {
+            if known.name != own.name {
                 error.get_or_insert_with(|| same_look(name, known));
             }
         }

@@ -75,14 +75,6 @@ fn latin_double(character: char) -> Option<char> {
     pairs.find_map(|&(greek, latin)| (greek == character).then_some(latin))
 }
 
-/// Whether two names of one look differ by small letters that look alike, but not quite the same.
-pub(crate) fn differ_slightly(one: &str, other: &str) -> bool {
-    let mut pairs = one.chars().zip(other.chars());
-    pairs.any(|(one, other)| {
-        one != other && [one, other].iter().any(|letter| "ινυχ".contains(*letter))
-    })
-}
-
 /// A Greek letter among Latin ones in one part of a name that nobody can tell from a Latin one.
 pub(crate) fn disguised(spelling: &str) -> Option<(char, char)> {
     let mixed = spelling
