@@ -88,14 +88,14 @@ fn meanings<'a>(scope: &'a Scope, signs: &BTreeMap<String, Signs>) -> Meanings<'
     let entries = scope.entries();
     let meaning = |entry: &'a scope::Entry| {
         let name = entry.name.ascii.as_str();
-        let is_positive = signs.get(name).is_some_and(|signs| signs.is_positive());
-        (name, meaning(&entry.meaning, is_positive))
+        let signs = signs.get(name).copied().unwrap_or(Signs::ANY);
+        (name, meaning(&entry.meaning, signs))
     };
     entries.map(meaning).collect()
 }
 
-fn meaning(meaning: &scope::Meaning, is_positive: bool) -> Meaning<'_> {
-    let variable = |kind| Meaning::Variable(kind, is_positive);
+fn meaning(meaning: &scope::Meaning, signs: Signs) -> Meaning<'_> {
+    let variable = |kind| Meaning::Variable(kind, signs);
     match meaning {
         &scope::Meaning::Symbol { kind, .. } => match kind {
             SymbolKind::Parameter => variable(Kind::Real),

@@ -225,7 +225,7 @@ impl Sheet {
         let zero = self.graph.integer(0)?;
         let mut at_zero = Substitution::default();
         for variable in self.graph.variables_of(&[id]) {
-            if self.graph.variable(variable).is_positive {
+            if self.graph.variable(variable).signs.is_positive() {
                 continue;
             }
             let slope = Derivative::new(By::Variable(variable)).of(id, self)?;

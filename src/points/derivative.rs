@@ -3,6 +3,7 @@
 use rustc_hash::FxHashMap;
 
 use crate::algebra::number::Rational;
+use crate::algebra::sign::Signs;
 
 use super::Failure;
 use super::graph::{FunctionId, Made, Node, NodeId, Variable, VariableId};
@@ -135,7 +136,7 @@ impl Derivative {
                 let order = variable.order + 1;
                 let rate = sheet.graph.variable_id(Variable {
                     order,
-                    is_positive: false,
+                    signs: Signs::ANY,
                     ..variable
                 });
                 sheet.graph.free(rate)

@@ -6,6 +6,7 @@ use std::ops::Range;
 use rustc_hash::FxHashMap;
 
 use crate::algebra::number::Rational;
+use crate::algebra::sign::Signs;
 
 use super::Failure;
 use super::real::exact_root;
@@ -43,7 +44,7 @@ impl FunctionId {
 }
 
 /// What is free to have a value of its own.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Variable {
     /// Its ASCII name.
     pub name: String,
@@ -51,8 +52,8 @@ pub struct Variable {
     pub order: u32,
     /// What it was declared as.
     pub kind: Kind,
-    /// Whether it was declared to be above 0.
-    pub is_positive: bool,
+    /// What is declared or assumed of its sign.
+    pub signs: Signs,
 }
 
 /// The sorts of variables.
@@ -175,6 +176,8 @@ struct Traits {
     positive: bool,
     /// Whether no value of it is below 0, as far as its parts tell.
     non_negative: bool,
+    /// Whether every value of it is below 0, as far as its parts tell.
+    negative: bool,
 }
 
 /// A graph.
@@ -249,42 +252,23 @@ impl Graph {
             total: true,
             real: true,
             branched: false,
-            positive: true,
-            non_negative: true,
+            positive: false,
+            non_negative: false,
+            negative: false,
         };
-        let mut is_above = false;
         node.visit(&mut |part| {
             let part = self.traits[part.0 as usize];
             traits.total &= part.total;
             traits.real &= part.real;
             traits.branched |= part.branched;
-            traits.positive &= part.positive;
-            traits.non_negative &= part.non_negative;
-            is_above |= part.positive;
         });
-        (traits.positive, traits.non_negative) = match node {
-            Node::Number(number) => (*number > Rational::ZERO, *number >= Rational::ZERO),
-            Node::Variable(id) => {
-                let is_positive = self.variable(*id).is_positive;
-                (is_positive, is_positive)
-            }
-            Node::Sum(..) => (traits.non_negative && is_above, traits.non_negative),
-            Node::Quotient(_, b) => {
-                let below = self.traits[b.0 as usize].positive;
-                (traits.positive, traits.non_negative && below)
-            }
-            Node::Power(_, n) => (
-                traits.positive,
-                traits.non_negative || (n % 2 == 0 && traits.real),
-            ),
-            Node::Root(_) => (traits.positive, true),
-            Node::Product(..) => (traits.positive, traits.non_negative),
-            Node::Guarded { value, .. } => {
-                let value = self.traits[value.0 as usize];
-                (value.positive, value.non_negative)
-            }
-            _ => (false, false),
+        let signs = match self.signs_of(node) {
+            _ if !traits.real && !matches!(node, Node::Root(_)) => Signs::ANY,
+            signs => signs,
         };
+        traits.positive = signs.is_positive();
+        traits.non_negative = signs.is_non_negative();
+        traits.negative = signs == Signs::NEGATIVE;
         match node {
             Node::ImaginaryUnit => traits.real = false,
             Node::Variable(id) => traits.real = self.variable(*id).kind != Kind::Complex,
@@ -298,6 +282,33 @@ impl Graph {
             _ => {}
         }
         traits
+    }
+
+    /// The signs that a real node can have, as far as its parts tell.
+    fn signs_of(&self, node: &Node) -> Signs {
+        let of = |part: &NodeId| {
+            let part = self.traits[part.0 as usize];
+            match (part.positive, part.non_negative, part.negative) {
+                (true, ..) => Signs::POSITIVE,
+                (_, true, _) => Signs::NON_NEGATIVE,
+                (_, _, true) => Signs::NEGATIVE,
+                _ => Signs::ANY,
+            }
+        };
+        match node {
+            Node::Number(number) => Signs::of_integer(number.numerator()),
+            Node::Variable(id) => self.variable(*id).signs,
+            Node::Sum(a, b) => of(a).sum(of(b)),
+            // A quotient has a value where its divisor is not 0.
+            Node::Product(a, b) | Node::Quotient(a, b) => of(a).product(of(b)),
+            Node::Power(a, exponent) => of(a).power(*exponent),
+            Node::Root(a) => match of(a) {
+                Signs::POSITIVE => Signs::POSITIVE,
+                _ => Signs::NON_NEGATIVE,
+            },
+            Node::Guarded { value, .. } => of(value),
+            _ => Signs::ANY,
+        }
     }
 
     /// The place of a node, which joins the graph if it is new.
@@ -489,6 +500,10 @@ impl Graph {
             None => match *self.node(a) {
                 Node::Power(base, n) if n % 2 == 0 && self.traits[base.0 as usize].non_negative => {
                     self.power(base, i64::from(n / 2))
+                }
+                Node::Power(base, n) if n % 2 == 0 && self.traits[base.0 as usize].negative => {
+                    let size = self.negative(base)?;
+                    self.power(size, i64::from(n / 2))
                 }
                 _ => self.join(Node::Root(a)),
             },

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::algebra::sign::Signs;
 use crate::derivation::syntax::{Expression, Name, Replacement};
 
 use super::graph::Kind;
@@ -9,8 +10,8 @@ use super::graph::Kind;
 /// What a name means.
 #[derive(Clone, Copy, Debug)]
 pub enum Meaning<'a> {
-    /// A variable, and whether it was declared to be above 0.
-    Variable(Kind, bool),
+    /// A variable, and what is declared or assumed of its sign.
+    Variable(Kind, Signs),
     /// i
     ImaginaryUnit,
     /// A function, and where its bare name is taken.

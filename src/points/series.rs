@@ -7,6 +7,7 @@ use rustc_hash::FxHashMap;
 use crate::algebra::number::Rational;
 
 use super::Failure;
+use super::derivative::By;
 use super::graph::{FunctionId, Made, Node, NodeId, VariableId};
 use super::sheet::Sheet;
 use super::substitution::Substitution;
@@ -21,6 +22,9 @@ pub struct Series {
     /// Whether all other terms are 0.
     pub is_exact: bool,
 }
+
+/// f⁽ᵏ⁾(a)
+type Value = (FunctionId, u32, NodeId);
 
 /// A series, or why there is none.
 type Expanded = Result<Series, Failure>;
@@ -69,8 +73,8 @@ impl Series {
 pub struct Expansion {
     /// What becomes of variables.
     small: BTreeMap<VariableId, Series>,
-    /// The values of functions that are small, each multiplied by ε.
-    functions: Vec<(FunctionId, u32, NodeId)>,
+    /// What becomes of values of functions; those without a series are multiplied by ε.
+    functions: Vec<(Value, Option<Series>)>,
     /// How many terms are followed.
     length: usize,
     /// Whether negative powers of ε may occur on the way.
@@ -82,7 +86,7 @@ impl Expansion {
     /// An expansion in variables and values of functions that are multiplied by ε, up to an order.
     pub fn small(
         variables: &[VariableId],
-        functions: &[(FunctionId, u32, NodeId)],
+        functions: &[Value],
         order: u32,
         sheet: &mut Sheet,
     ) -> Result<Self, Failure> {
@@ -92,7 +96,7 @@ impl Expansion {
         }
         Ok(Expansion {
             small,
-            functions: functions.to_vec(),
+            functions: functions.iter().map(|value| (*value, None)).collect(),
             length: order as usize + 1,
             allows_poles: false,
             known: FxHashMap::default(),
@@ -101,15 +105,23 @@ impl Expansion {
 
     /// An expansion in a variable that is a power of ε: by its powers for 1, by their falling order for −1.
     pub fn by_powers(
-        variable: VariableId,
+        by: By,
         power: i64,
         length: usize,
         sheet: &mut Sheet,
     ) -> Result<Self, Failure> {
-        let one = sheet.graph.integer(1)?;
+        let series = Series::single(sheet.graph.integer(1)?, power);
+        let (mut small, mut functions) = (BTreeMap::new(), Vec::new());
+        match by {
+            By::Variable(variable) => drop(small.insert(variable, series)),
+            By::Function(function, order, place) => {
+                functions.push(((function, order, place), Some(series)));
+            }
+            By::Time => return Err(Failure::NoVariable),
+        }
         Ok(Expansion {
-            small: BTreeMap::from([(variable, Series::single(one, power))]),
-            functions: Vec::new(),
+            small,
+            functions,
             length,
             allows_poles: true,
             known: FxHashMap::default(),
@@ -151,9 +163,10 @@ impl Expansion {
                 argument,
                 reference,
             } => {
-                for (small, k, place) in &self.functions {
+                for ((small, k, place), series) in &self.functions {
                     if (small, k) == (function, order) && sheet.is_same(*argument, *place)? {
-                        return Ok(Series::single(id, 1));
+                        let usual = || Series::single(id, 1);
+                        return Ok(series.clone().unwrap_or_else(usual));
                     }
                 }
                 if !changes {
@@ -488,7 +501,7 @@ impl Sheet {
         &mut self,
         node: NodeId,
         variables: &[VariableId],
-        functions: &[(FunctionId, u32, NodeId)],
+        functions: &[Value],
         order: u32,
     ) -> Result<Vec<NodeId>, Failure> {
         let mut expansion = Expansion::small(variables, functions, order, self)?;
@@ -511,10 +524,10 @@ impl Sheet {
     /// # Errors
     ///
     /// [`Failure::NoPolynomial`] where it is not found.
-    pub fn coefficient(&mut self, node: NodeId, variable: VariableId, power: u32) -> Made {
+    pub fn coefficient(&mut self, node: NodeId, by: By, power: u32) -> Made {
         let mut length = power as usize + 2;
         loop {
-            let mut expansion = Expansion::by_powers(variable, 1, length, self)?;
+            let mut expansion = Expansion::by_powers(by, 1, length, self)?;
             let term = expansion
                 .of(node, self)
                 .and_then(|series| series.term(i64::from(power)));
@@ -533,14 +546,10 @@ impl Sheet {
     /// # Errors
     ///
     /// [`Failure::NoPolynomial`] where its degree is too high.
-    pub fn falling_coefficients(
-        &mut self,
-        node: NodeId,
-        variable: VariableId,
-    ) -> Result<Vec<NodeId>, Failure> {
+    pub fn falling_coefficients(&mut self, node: NodeId, by: By) -> Result<Vec<NodeId>, Failure> {
         let mut length = 8;
         loop {
-            let mut expansion = Expansion::by_powers(variable, -1, length, self)?;
+            let mut expansion = Expansion::by_powers(by, -1, length, self)?;
             let series = match expansion.of(node, self) {
                 Ok(series) => expansion.leading(&series, self),
                 Err(failure) => Err(failure),

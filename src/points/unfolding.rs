@@ -7,6 +7,7 @@ mod place;
 use std::collections::BTreeMap;
 
 use crate::algebra::number::Rational;
+use crate::algebra::sign::Signs;
 use crate::derivation::syntax::{Expression, Name, Node as Written};
 
 use super::Failure;
@@ -99,10 +100,8 @@ impl<'a> Unfolding<'a> {
     /// [`Failure::NoPolynomial`] where it is not found.
     pub fn coefficient(&mut self, polynomial: &'a Expression, variable: &str, power: u32) -> Made {
         let node = self.scalar(polynomial)?;
-        match self.small(variable)? {
-            By::Variable(variable) => self.sheet.coefficient(node, variable, power),
-            _ => Err(Failure::NoVariable),
-        }
+        let variable = self.small(variable)?;
+        self.sheet.coefficient(node, variable, power)
     }
 
     fn unfolded(&mut self, expression: &'a Expression) -> Result<Table, Failure> {
@@ -134,9 +133,7 @@ impl<'a> Unfolding<'a> {
             return Ok(argument.clone());
         }
         match self.meanings.get(name).copied() {
-            Some(Meaning::Variable(kind, is_positive)) => {
-                Ok(single(self.variable(name, kind, is_positive)?))
-            }
+            Some(Meaning::Variable(kind, signs)) => Ok(single(self.variable(name, kind, signs)?)),
             Some(Meaning::ImaginaryUnit) => Ok(single(self.sheet.graph.imaginary_unit()?)),
             Some(Meaning::Function(_)) => {
                 let (function, reference) = self.declared_function(name)?;
@@ -158,13 +155,13 @@ impl<'a> Unfolding<'a> {
         }
     }
 
-    fn variable(&mut self, name: &str, kind: Kind, is_positive: bool) -> Made {
+    fn variable(&mut self, name: &str, kind: Kind, signs: Signs) -> Made {
         let name = name.to_owned();
         let id = self.sheet.graph.variable_id(Variable {
             name,
             order: 0,
             kind,
-            is_positive,
+            signs,
         });
         self.sheet.graph.free(id)
     }
@@ -316,9 +313,7 @@ impl<'a> Unfolding<'a> {
     /// The variable of an ASCII name.
     fn small(&mut self, name: &str) -> Result<By, Failure> {
         let node = match self.meanings.get_key_value(name) {
-            Some((name, Meaning::Variable(kind, is_positive))) => {
-                self.variable(name, *kind, *is_positive)?
-            }
+            Some((name, Meaning::Variable(kind, signs))) => self.variable(name, *kind, *signs)?,
             Some((name, Meaning::Function(_))) => {
                 let (function, reference) = self.declared_function(name)?;
                 self.sheet

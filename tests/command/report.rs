@@ -236,14 +236,28 @@ fn a_verdict_that_differs_is_reported_with_status_1() {
 }
 
 #[test]
+fn a_mistake_is_shown_in_the_report() {
+    let wrong = document(
+        "mistake.md",
+        &block("K := a + c\nclaim [one]: K == a\nclaim [two]: a == a"),
+    );
+    let (status, errors, page) = report(&[text(&wrong)], &out("mistake.html"));
+    assert_eq!(status, Some(2));
+    assert!(errors.contains("mistake.md:5:"), "{errors}");
+    let page = page.expect("a page");
+    let said = words(parse(&page).root_element());
+    for expected in ["is not known here", "skipped", "holds"] {
+        assert!(said.contains(expected), "{expected} in {said}");
+    }
+}
+
+#[test]
 fn wrong_input_leaves_no_report() {
-    let wrong = document("wrong_report.md", &block("claim [one]: a == c"));
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
     let path = out("none.html");
     for (arguments, path, message) in [
-        (&[text(&wrong)][..], path.clone(), "wrong_report.md:5:"),
         (
-            &["no-such-document.md"],
+            &["no-such-document.md"][..],
             path.clone(),
             "there is no such file",
         ),

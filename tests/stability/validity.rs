@@ -103,7 +103,9 @@ fn errors_have_the_orders_that_are_derived() {
         let [low, high] = rows.map(|row| validity.cells[row * columns + column][form as usize]);
         let found = (high.error / low.error).ln() / ratio.ln();
         assert!((found - f64::from(order)).abs() < 0.1, "{form:?}: {found}");
-        assert!(validity.constant(form) < 0.1, "{form:?}");
+        // It is the largest of all angles of the case.
+        let constant = validity.constant(form);
+        assert!(constant < 0.2, "{form:?}: {constant}");
     }
 }
 

@@ -2,7 +2,6 @@
 
 use crate::derivation::syntax::{Expression, Node as Written};
 use crate::points::Failure;
-use crate::points::derivative::By;
 use crate::points::graph::Made;
 use crate::points::matrix::{Table, transpose};
 
@@ -40,9 +39,7 @@ impl<'a> Unfolding<'a> {
             ("coefficient", [polynomial, variable, power]) => {
                 let power = self.natural(power)?;
                 let variable = self.scalar(variable)?;
-                let By::Variable(variable) = self.variable_of(variable)? else {
-                    return Err(Failure::Unsupported);
-                };
+                let variable = self.variable_of(variable)?;
                 let polynomial = self.scalar(polynomial)?;
                 let coefficient = self.sheet.coefficient(polynomial, variable, power)?;
                 Ok(single(self.sheet.graph.guarded(coefficient, polynomial)?))
@@ -64,9 +61,7 @@ impl<'a> Unfolding<'a> {
         size: usize,
     ) -> Made {
         let variable = self.scalar(variable)?;
-        let By::Variable(variable) = self.variable_of(variable)? else {
-            return Err(Failure::Unsupported);
-        };
+        let variable = self.variable_of(variable)?;
         let polynomial = self.scalar(polynomial)?;
         let coefficients = self.sheet.falling_coefficients(polynomial, variable)?;
         let zero = self.sheet.graph.integer(0)?;
