@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - SHA-256 of the document:
-//!   `5dcfc2ee3c95415e2d61c2d5db549835a2f6bd92427d4db55e773d2d6dc151ef`
+//!   `4199c4c707c2c1afa059d2de23002ea3a2723ba228812f86be7e6266007e4626`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -479,7 +479,7 @@ pub(super) fn characteristic_polynomial_undamped_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
 /// - SHA-256 of the document:
-///   `5dcfc2ee3c95415e2d61c2d5db549835a2f6bd92427d4db55e773d2d6dc151ef`
+///   `4199c4c707c2c1afa059d2de23002ea3a2723ba228812f86be7e6266007e4626`
 #[must_use]
 pub fn characteristic_polynomial_undamped(inputs: &CharacteristicPolynomialUndampedInputs<f64>) -> CharacteristicPolynomialUndampedOutputs<f64> {
     characteristic_polynomial_undamped_body(inputs)

@@ -10,7 +10,7 @@
 //! - Damping in modal coordinates, and the frequencies, for perfect tuning, from the physical parameters: [`modal_damping_in_wind::modal_damping_in_wind`]
 //! - Damping in modal coordinates, and the frequencies, for perfect tuning, from the scaled damping matrix: [`modal_damping::modal_damping`]
 //! - Squares of the circular frequencies, and mode shapes, without wind and for perfect tuning, Eq. (15): [`no_wind_modes::no_wind_modes`]
-//! - The characteristic polynomial at iω_0 + iν, real and imaginary part, without its coefficients: [`shifted_determinant::shifted_determinant`]
+//! - The characteristic polynomial at iω_0 + iν_c, real and imaginary part, without its coefficients: [`shifted_determinant::shifted_determinant`]
 //! - The coefficients of the characteristic polynomial about iω_0, real and imaginary parts, and those by powers of the frequency: [`shifted_polynomial::shifted_polynomial`]
 //! - The coefficients of the characteristic polynomial for perfect tuning, that of λ⁰ first, Eq. (19): [`characteristic_polynomial_tuned::characteristic_polynomial_tuned`]
 //! - The coefficients of the characteristic polynomial for wind along x, that of λ⁰ first, Eq. (19): [`characteristic_polynomial_along_x::characteristic_polynomial_along_x`]

@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/uniform.md`
 //! - SHA-256 of the document:
-//!   `da711da930b963fd456b8779f3b597c950d5aa5f0a7f27920dd86a5621684106`
+//!   `f55b239e6af0588b48224aef20a513c855dabe6f161f9a699f1225e599fb3359`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -541,7 +541,7 @@ pub(super) fn modal_damping_in_wind_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/uniform.md`
 /// - SHA-256 of the document:
-///   `da711da930b963fd456b8779f3b597c950d5aa5f0a7f27920dd86a5621684106`
+///   `f55b239e6af0588b48224aef20a513c855dabe6f161f9a699f1225e599fb3359`
 #[must_use]
 pub fn modal_damping_in_wind(inputs: &ModalDampingInWindInputs<f64>) -> ModalDampingInWindOutputs<f64> {
     modal_damping_in_wind_body(inputs)

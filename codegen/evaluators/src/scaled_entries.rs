@@ -8,7 +8,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/exact-modes.md`
 //! - SHA-256 of the document:
-//!   `ad79a476dc851965d134b18c9ef76ea72f90f8129b040c6a51ca8ac80a2e53d0`
+//!   `477dffd4f82760c274236c07d8a9ae67cb5b1d70c1567c933fbb8fe89924a785`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -454,7 +454,7 @@ pub(super) fn scaled_entries_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/exact-modes.md`
 /// - SHA-256 of the document:
-///   `ad79a476dc851965d134b18c9ef76ea72f90f8129b040c6a51ca8ac80a2e53d0`
+///   `477dffd4f82760c274236c07d8a9ae67cb5b1d70c1567c933fbb8fe89924a785`
 #[must_use]
 pub fn scaled_entries(inputs: &ScaledEntriesInputs<f64>) -> ScaledEntriesOutputs<f64> {
     scaled_entries_body(inputs)
