@@ -329,10 +329,11 @@ mod tests {
                 product = -product;
             }
             product = product * rows[k][k] % PRIME;
-            for i in k + 1..64 {
-                let factor = rows[i][k] * inverse(rows[k][k].rem_euclid(PRIME)) % PRIME;
-                for j in k..64 {
-                    rows[i][j] = (rows[i][j] - factor * rows[k][j]) % PRIME;
+            let pivot = rows[k].clone();
+            for row in &mut rows[k + 1..] {
+                let factor = row[k] * inverse(pivot[k].rem_euclid(PRIME)) % PRIME;
+                for (entry, above) in row.iter_mut().zip(&pivot).skip(k) {
+                    *entry = (*entry - factor * above) % PRIME;
                 }
             }
         }

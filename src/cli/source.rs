@@ -42,7 +42,7 @@ pub fn audit_all(paths: &[String]) -> Audited {
     for path in paths {
         match read(path) {
             Ok(source) => audited.audit(&source, &Disk),
-            Err(Unread::Text(diagnostic, source)) => audited.tell(&diagnostic, &source),
+            Err(Unread::Text(mistake)) => audited.tell(&mistake.0, &mistake.1),
             Err(Unread::File(message)) => {
                 audited.outcome = wrong(&message.message, message.help.as_deref().unwrap_or(""));
                 audited.messages.told.push(message);
@@ -112,7 +112,7 @@ enum Unread {
     /// There is no such file, say.
     File(Message),
     /// The file is no text.
-    Text(Diagnostic, SourceFile),
+    Text(Box<(Diagnostic, SourceFile)>),
 }
 
 fn read(path: &str) -> Result<SourceFile, Unread> {
@@ -120,7 +120,10 @@ fn read(path: &str) -> Result<SourceFile, Unread> {
     let name = resolve(&slashes(path), "");
     let bytes = bytes_of(path).map_err(|error| Unread::File(unreadable(path, &error)))?;
     let source = SourceFile::from_bytes(&name, &bytes);
-    source.map_err(|error| Unread::Text(error, SourceFile::from_bytes_lossy(&name, &bytes)))
+    source.map_err(|error| {
+        let shown = SourceFile::from_bytes_lossy(&name, &bytes);
+        Unread::Text(Box::new((error, shown)))
+    })
 }
 
 /// The bytes of a file, and one more than a document may have of a larger one.

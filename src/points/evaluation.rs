@@ -54,7 +54,7 @@ impl Evaluation {
     ///
     /// [`Failure`] where it has none at this assignment, or where that cannot be told.
     pub fn value(&mut self, graph: &Graph, id: NodeId) -> Result<Number, Failure> {
-        self.known.resize(graph.len().max(self.known.len()), None);
+        self.known.resize(graph.size().max(self.known.len()), None);
         let mut open = vec![id];
         while let Some(top) = open.last().copied() {
             if self.known[Graph::place(top)].is_some() {

@@ -48,7 +48,7 @@ impl Formal {
 
     /// Whether a node is 0; nothing where it has no value here.
     pub fn vanishes(&mut self, graph: &Graph, id: NodeId) -> Option<bool> {
-        self.known.resize(graph.len().max(self.known.len()), None);
+        self.known.resize(graph.size().max(self.known.len()), None);
         let mut open = vec![id];
         while let Some(top) = open.last().copied() {
             if self.known[Graph::place(top)].is_some() {

@@ -133,7 +133,7 @@ impl Sheet {
     pub fn adjugate(&mut self, table: &Table) -> Result<Table, Failure> {
         let size = table.len();
         let mut rows = vec![Vec::new(); size];
-        for row in 0..size {
+        for (row, entries) in rows.iter_mut().enumerate() {
             for column in 0..size {
                 let without = without(table, column, row);
                 let minor = self.determinant(&without)?;
@@ -141,7 +141,7 @@ impl Sheet {
                     0 => minor,
                     _ => self.graph.negative(minor)?,
                 };
-                rows[row].push(minor);
+                entries.push(minor);
             }
         }
         Ok(rows)
@@ -250,9 +250,9 @@ impl Sheet {
         if let Some(row) = (from..rows.len()).find(|row| is_number(self, *row)) {
             return Ok(Some(row));
         }
-        for row in from..rows.len() {
-            if !self.vanishes(rows[row][column])? {
-                return Ok(Some(row));
+        for (place, row) in rows.iter().enumerate().skip(from) {
+            if !self.vanishes(row[column])? {
+                return Ok(Some(place));
             }
         }
         Ok(None)

@@ -172,7 +172,7 @@ impl<'a> Unfolding<'a> {
             return Err(Failure::Unsupported);
         };
         let place = match self.references.get(name) {
-            Some(known) => known.clone(),
+            Some(known) => *known,
             None => {
                 self.frames.push(BTreeMap::new());
                 let place = self.scalar(reference);

@@ -290,10 +290,10 @@ fn interpolate(
 ) {
     let at = |place: usize| start + place * stride;
     let count = nodes.len();
-    for order in 1..count {
+    for (order, inverse) in inverses.iter().enumerate().take(count).skip(1) {
         for place in (order..count).rev() {
             let difference = field.difference(entries[at(place)], entries[at(place - 1)]);
-            entries[at(place)] = field.times(difference, inverses[order]);
+            entries[at(place)] = field.times(difference, *inverse);
         }
     }
     for first in (0..count.saturating_sub(1)).rev() {

@@ -74,8 +74,8 @@ pub(super) struct Read {
 
 /// What is read in turn.
 enum Item {
-    Statement(Statement),
-    Unread(Unread),
+    Statement(Box<Statement>),
+    Unread(Box<Unread>),
 }
 
 impl Item {
@@ -129,8 +129,9 @@ impl<'a> Reader<'a> {
             title: document.title,
             ..Read::default()
         };
-        let statements = document.statements.into_iter().map(Item::Statement);
-        let unread = document.unread.into_iter().map(Item::Unread);
+        let statements = document.statements.into_iter().map(Box::new);
+        let statements = statements.map(Item::Statement);
+        let unread = document.unread.into_iter().map(Box::new).map(Item::Unread);
         let mut items: Vec<Item> = statements.chain(unread).collect();
         items.sort_by_key(Item::start);
         let lines = lines(&unified(&source.text), items.iter().map(Item::start));
