@@ -1,6 +1,7 @@
 //! What the names of a document mean.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use crate::algebra::symbol::Symbol;
 
@@ -48,7 +49,7 @@ pub enum Meaning {
         /// The names of its arguments.
         arguments: Vec<Name>,
         /// What it was defined as.
-        expression: Expression,
+        expression: Arc<Expression>,
     },
     /// Replacements under a name: a `substitution`, or the solution of a `match`.
     Substitution {
@@ -163,8 +164,8 @@ impl Scope {
                 reference: expression,
                 ..
             }
-            | Meaning::Definition { expression, .. }
-            | Meaning::Template { expression, .. } => expression.visit_names(&mut visit),
+            | Meaning::Definition { expression, .. } => expression.visit_names(&mut visit),
+            Meaning::Template { expression, .. } => expression.visit_names(&mut visit),
             Meaning::Substitution { replacements, .. } => {
                 replacements
                     .iter()
@@ -183,7 +184,7 @@ impl Scope {
             entry.span = None;
             // Its text is elaborated where it is used, and is no part of what follows.
             if let Meaning::Template { expression, .. } = &mut entry.meaning {
-                expression.forget_places();
+                Arc::make_mut(expression).forget_places();
             }
         }
     }

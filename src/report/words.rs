@@ -36,11 +36,16 @@ pub fn assigned(coordinate: &Coordinate, notation: Notation) -> String {
     let Some(imaginary) = &coordinate.imaginary else {
         return real;
     };
+    let (minus, times) = match notation {
+        Notation::Unicode => ("−", "·"),
+        Notation::Ascii => ("-", "*"),
+        Notation::Latex => ("-", r"\,"),
+    };
     let (sign, size) = match *imaginary < Rational::ZERO {
-        true => ("-", -imaginary.clone()),
+        true => (minus, -imaginary.clone()),
         false => ("+", imaginary.clone()),
     };
-    format!("{real} {sign} {}*i", notation.number(&size))
+    format!("{real} {sign} {}{times}i", notation.number(&size))
 }
 
 /// What the author expects, in the words of a verdict.

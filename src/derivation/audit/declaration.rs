@@ -1,5 +1,7 @@
 //! Declarations: what statements make names mean, and what they assume.
 
+use std::sync::Arc;
+
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::error::AlgebraError;
 use crate::algebra::generator::Generator;
@@ -313,7 +315,7 @@ impl Reader<'_> {
                         .iter()
                         .map(|argument| argument.value.clone())
                         .collect(),
-                    expression: expression.clone(),
+                    expression: Arc::new(expression.clone()),
                 }
             };
             self.elaborator.scope.declare(name, meaning, None)?;

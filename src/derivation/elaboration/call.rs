@@ -1,5 +1,7 @@
 //! Calls: functions known only through their derivatives, and definitions with arguments.
 
+use std::sync::Arc;
+
 use crate::algebra::error::AlgebraError;
 use crate::algebra::number::Rational;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
@@ -21,7 +23,7 @@ impl Elaborator {
         arguments: &[Expression],
         span: &Span,
     ) -> Result<Value, Diagnostic> {
-        match self.scope.get(function).map(|entry| entry.meaning.clone()) {
+        match self.scope.get(function).map(|entry| &entry.meaning) {
             Some(Meaning::Function { .. }) => {
                 let [argument] = arguments else {
                     let usage = format!("write `{function}(…)` for each of the arguments");
@@ -41,6 +43,7 @@ impl Elaborator {
                     let (wanted, given) = (names.len(), arguments.len());
                     return Err(argument_count(function, wanted, given, &usage, span));
                 }
+                let (names, expression) = (names.clone(), Arc::clone(expression));
                 self.template(function, names, &expression, arguments, span)
             }
             Some(_) => {

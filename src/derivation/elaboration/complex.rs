@@ -84,6 +84,15 @@ impl Elaborator {
         computed
     }
 
+    /// How the document calls what a symbol stands for: also one that stands for a name read as complex.
+    pub(super) fn written_name(&self, symbol: Symbol) -> Option<&str> {
+        let mut twins = self.twins.iter();
+        match twins.find(|(_, twin)| **twin == symbol) {
+            Some((name, _)) => Some(name),
+            None => self.ring.generator(symbol).name(),
+        }
+    }
+
     /// Whether a name rests on one that is read as a complex one.
     pub(super) fn rests_on_twin(&self, name: &Name) -> bool {
         let entry = self.scope.get(name).into_iter();

@@ -94,7 +94,7 @@ impl Elaborator {
     }
 
     fn is_mentioned(&self, symbol: Symbol, mentioned: &Option<BTreeSet<String>>) -> bool {
-        let (Some(mentioned), Some(name)) = (mentioned, self.ring.generator(symbol).name()) else {
+        let (Some(mentioned), Some(name)) = (mentioned, self.written_name(symbol)) else {
             return true;
         };
         mentioned.contains(name)

@@ -65,7 +65,7 @@ mod tests {
             let name = Spanned { value, span: 0..0 };
             let meaning = Meaning::Template {
                 arguments: Vec::new(),
-                expression: Expression::number(Rational::ZERO),
+                expression: std::sync::Arc::new(Expression::number(Rational::ZERO)),
             };
             scope.declare(&name, meaning, None).unwrap();
         }
