@@ -43,7 +43,8 @@ pub struct Elaborator {
     /// Whether replacements need only be possible under the assumptions: who makes them answers for it
     /// that the assumptions remain true.
     pub trusts_replacements: bool,
-    arguments: Vec<BTreeMap<String, Value>>,
+    /// The arguments of the calls that one is in, and what must hold for each to exist.
+    arguments: Vec<BTreeMap<String, (Value, Conditions)>>,
     /// The named substitutions that were used, by ASCII name.
     substitutions: BTreeMap<String, KnownSubstitution>,
     /// The complex symbols that stand for names that were declared real, by ASCII name.
@@ -199,11 +200,10 @@ impl Elaborator {
     }
 
     fn named(&mut self, name: &Name, span: &Span) -> Result<Value, Diagnostic> {
-        if let Some(value) = self
-            .arguments
-            .last()
-            .and_then(|known| known.get(&name.ascii))
-        {
+        let arguments = self.arguments.last();
+        if let Some((value, conditions)) = arguments.and_then(|known| known.get(&name.ascii)) {
+            // They stand where the name does, so that replacements around it reach them.
+            self.conditions.extend(conditions);
             return Ok(value.clone());
         }
         match &self.scope.find(name, span)?.meaning {

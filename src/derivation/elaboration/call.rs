@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::algebra::error::AlgebraError;
 use crate::algebra::number::Rational;
+use crate::derivation::condition::Conditions;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::quantity::{Quantity, Value, common_unit};
 use crate::derivation::scope::Meaning;
@@ -68,9 +69,9 @@ impl Elaborator {
         span: &Span,
     ) -> Result<Value, Diagnostic> {
         check_calls(self.arguments.len(), function, span)?;
-        let values: Result<Vec<Value>, Diagnostic> = arguments
+        let values: Result<Vec<(Value, Conditions)>, Diagnostic> = arguments
             .iter()
-            .map(|argument| self.value(argument))
+            .map(|argument| self.value_and_conditions(argument))
             .collect();
         let names = names.into_iter().map(|name| name.ascii);
         self.arguments.push(names.zip(values?).collect());

@@ -46,7 +46,7 @@ impl Elaborator {
                 .last()
                 .into_iter()
                 .flat_map(|known| known.values());
-            let mut entries = arguments.flat_map(|value| value.entries());
+            let mut entries = arguments.flat_map(|(value, _)| value.entries());
             if entries.any(|entry| self.ring.constituents(&entry.value).contains(&symbol)) {
                 return Err(algebra(AlgebraError::NotReal, span).with_help(format!(
                     "an argument of this call contains {name} as a real number: declare it with `complex`"
