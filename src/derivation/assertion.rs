@@ -124,7 +124,12 @@ impl Elaborator {
                 )
             }
         };
-        if let Some(order) = &assertion.order {
+        // What is equal to every order is equal, on the conditions of both sides.
+        if let Some(order) = assertion
+            .order
+            .as_ref()
+            .filter(|_| outcome != Outcome::True)
+        {
             self.require_where_small_vanish([&left, &right], order, span)?;
         }
         let needed = std::mem::take(&mut self.conditions);

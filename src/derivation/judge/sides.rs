@@ -50,7 +50,10 @@ impl Sides {
             Outcome::TrueToOrder(beyond) => beyond.map(|degree| degree as usize),
             _ => None,
         };
-        let pairs = match &finding.assertion.order {
+        // What is equal to every order is compared as it is.
+        let order = finding.assertion.order.as_ref();
+        let order = order.filter(|_| finding.outcome != Outcome::True);
+        let pairs = match order {
             Some(order) => {
                 let small = small_names(order);
                 let highest = beyond.unwrap_or(0).max(order.order.value as usize) as u32;
@@ -65,7 +68,7 @@ impl Sides {
         };
         let mut conditions = Vec::new();
         for condition in &finding.conditions {
-            let node = match &finding.assertion.order {
+            let node = match order {
                 None => unfolding.scalar(&condition.expression)?,
                 Some(order) => {
                     let parts = unfolding.parts(&condition.expression, &small_names(order), 0)?;
