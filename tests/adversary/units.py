@@ -172,6 +172,8 @@ class Units:
             names, body = self.document.templates[name]
             return self.of(written(body, dict(zip(names, arguments))))
         variable = self.evaluator.variable(part)
+        if variable is None:
+            raise Mistake(f"{name} is not declared")
         same(self.one(arguments[0]), self.one(self.document.variables[variable[1]].argument))
         return [[self.function(variable)]]
 
