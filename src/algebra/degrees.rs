@@ -5,6 +5,9 @@ use super::monomial::Monomial;
 use super::polynomial::Polynomial;
 use super::symbol::Symbol;
 
+/// So many symbols take one allocation.
+const USUAL_SYMBOLS: usize = 64;
+
 /// The highest exponent of every symbol in a polynomial.
 ///
 /// Degrees of a product are the sums of the degrees of its factors, as the
@@ -18,7 +21,9 @@ pub(super) struct Degrees {
 impl Degrees {
     /// The degrees of a polynomial.
     pub(super) fn of(polynomial: &Polynomial) -> Self {
-        let mut degrees = Degrees::default();
+        let mut degrees = Degrees {
+            by_index: Vec::with_capacity(USUAL_SYMBOLS),
+        };
         for (monomial, _) in polynomial.terms() {
             for (symbol, exponent) in monomial.factors() {
                 let degree = degrees.entry(symbol);

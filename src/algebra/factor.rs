@@ -83,11 +83,18 @@ fn split_by_contents(
     budget: &Budget,
 ) -> Result<(), Exhausted> {
     let mut rest = polynomial;
-    for symbol in rest.symbols() {
+    let mut degrees: Vec<_> = Degrees::of(&rest).iter().collect();
+    degrees.sort_by_key(|&(_, degree)| degree);
+    for (symbol, degree) in degrees {
         let (content, without) = split_content(&rest, symbol, budget)?;
         if !content.is_one() {
             split_by_contents(content, factors, budget)?;
             rest = without;
+        }
+        if degree == 1 {
+            // Linear in a symbol and without content: irreducible.
+            factors.add(rest, 1);
+            return Ok(());
         }
     }
     // Now every factor of the rest contains every symbol of the rest.

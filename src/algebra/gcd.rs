@@ -5,6 +5,8 @@ mod subresultant;
 
 use std::collections::BTreeMap;
 
+use dashu_base::Abs;
+
 use super::budget::{Budget, Exhausted};
 use super::degrees::Degrees;
 use super::image::degrees_of_gcd;
@@ -51,6 +53,9 @@ impl Polynomial {
             return Ok(present.clone().with_positive_leading());
         }
         budget.spend((self.len() + other.len()) as u64)?;
+        if let ([term], others) | (others, [term]) = (self.terms(), other.terms()) {
+            return Ok(gcd_with_term(term, others));
+        }
         let (left, right) = (self.content(), other.content());
         let integer = integer_gcd(&left, &right);
         let (left, right) = (self.over_integer(&left), other.over_integer(&right));
@@ -61,6 +66,18 @@ impl Polynomial {
         let rest = primitive_gcd(&left, &right, budget)?;
         rest.multiply(&Polynomial::from_terms([(monomial, integer)]), budget)
     }
+}
+
+/// The gcd of a term and of a sum of others, which is a term; most sums show soon that it is 1.
+fn gcd_with_term((monomial, coefficient): &Term, others: &[Term]) -> Polynomial {
+    let mut common = (monomial.clone(), coefficient.abs());
+    for (monomial, coefficient) in others {
+        if common.0.is_one() && common.1.is_one() {
+            break;
+        }
+        common = (common.0.gcd(monomial), integer_gcd(&common.1, coefficient));
+    }
+    Polynomial::from_sorted(vec![common])
 }
 
 /// The gcd of the polynomials of a list, zero for none.
@@ -88,9 +105,6 @@ fn primitive_gcd(
     right: &Polynomial,
     budget: &Budget,
 ) -> Result<Polynomial, Exhausted> {
-    if left.len() == 1 || right.len() == 1 {
-        return Ok(Polynomial::one());
-    }
     let bounds = degrees_of_gcd(left, right, budget)?;
     if bounds.iter().next().is_none() {
         return Ok(Polynomial::one());

@@ -135,13 +135,14 @@ impl Field {
     /// the lowest, the last of them not zero.
     pub fn gcd(self, mut left: Vec<u64>, mut right: Vec<u64>) -> Vec<u64> {
         while let Some(&leading) = right.last() {
-            let inverse = self.inverse(leading);
+            // Both are multiplied across, since an inverse costs ninety products.
             while left.len() >= right.len() {
                 let Some(top) = left.pop() else { break };
-                let factor = self.prime - self.times(top, inverse);
+                left.iter_mut()
+                    .for_each(|value| *value = self.times(leading, *value));
                 let low = left.len() + 1 - right.len();
                 for (value, partner) in left[low..].iter_mut().zip(&right) {
-                    *value = self.sum(*value, self.times(factor, *partner));
+                    *value = self.difference(*value, self.times(top, *partner));
                 }
             }
             trim(&mut left);

@@ -193,6 +193,10 @@ fn integer_square_part(n: &Integer) -> (Integer, Vec<Polynomial>) {
     let (mut root, mut single, mut rest) = (Integer::ONE, Vec::new(), n.clone());
     for divisor in (2..=LARGEST_DIVISOR).map(Integer::from) {
         let square = &divisor * &divisor;
+        if square > rest {
+            // What is left is 1 or a prime.
+            break;
+        }
         while (&rest % &square).is_zero() {
             rest /= &square;
             root *= &divisor;

@@ -53,7 +53,7 @@ impl Input {
             Generator::Cosine { angle } => circular(Function::Cosine, angle, ring, scope),
             Generator::Sine { angle } => circular(Function::Sine, angle, ring, scope),
             Generator::FunctionValue { name, order, .. } => {
-                let entry = scope.get(&Name::new(name))?;
+                let entry = scope.spelled(name)?;
                 let Meaning::Function { unit, .. } = &entry.meaning else {
                     return None;
                 };
@@ -97,7 +97,7 @@ fn circular(function: Function, angle: &Angle, ring: &Ring, scope: &Scope) -> Op
         let Generator::Angle { name: own } = ring.generator(symbol) else {
             return None;
         };
-        let entry = scope.get(&Name::new(own))?;
+        let entry = scope.spelled(own)?;
         let (ascii, unicode) = (&entry.name.ascii, &entry.name.unicode);
         let count = i32::try_from(count).ok()?;
         let (word, sign) = match (sum.is_empty(), count < 0) {

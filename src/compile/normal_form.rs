@@ -11,7 +11,6 @@ use crate::algebra::number::Rational;
 use crate::algebra::polynomial::Polynomial as Element;
 use crate::algebra::symbol::Symbol;
 use crate::derivation::scope::Meaning;
-use crate::derivation::syntax::Name;
 
 use super::polynomial::Polynomial;
 use super::translation::{Context, Obstacle, Translator};
@@ -59,7 +58,7 @@ impl Translator<'_> {
     /// The symbol of the variable whose powers are kept apart.
     fn variable_symbol(&self, context: Context) -> Option<Symbol> {
         let name = self.variable(context)?;
-        match self.elaborator.scope.get(&Name::new(name))?.meaning {
+        match self.elaborator.scope.spelled(name)?.meaning {
             Meaning::Symbol { symbol, .. } => Some(symbol),
             _ => None,
         }

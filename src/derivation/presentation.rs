@@ -174,10 +174,8 @@ impl Presenter<'_> {
     }
 
     fn declared(&self, ascii: &str) -> Name {
-        let name = Name::new(ascii);
-        self.scope
-            .get(&name)
-            .map_or(name, |entry| entry.name.clone())
+        let entry = self.scope.spelled(ascii);
+        entry.map_or_else(|| Name::new(ascii), |entry| entry.name.clone())
     }
 
     /// One symbol.

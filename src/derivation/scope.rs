@@ -200,7 +200,12 @@ impl Scope {
 
     /// The entry of a name, if it has one.
     pub fn get(&self, name: &Name) -> Option<&Entry> {
-        self.entries.get(&name.ascii)
+        self.spelled(&name.ascii)
+    }
+
+    /// The entry of a name in ASCII, if it has one.
+    pub fn spelled(&self, ascii: &str) -> Option<&Entry> {
+        self.entries.get(ascii)
     }
 
     /// The entry of a name.

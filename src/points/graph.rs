@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::algebra::number::Rational;
 use crate::algebra::sign::Signs;
@@ -137,7 +137,7 @@ pub enum Node {
 
 impl Node {
     /// Calls a function for each node that this one rests on.
-    pub fn visit(&self, visit: &mut impl FnMut(NodeId)) {
+    pub fn visit(&self, visit: &mut (impl FnMut(NodeId) + ?Sized)) {
         match self {
             Node::Number(_)
             | Node::ImaginaryUnit
@@ -544,30 +544,35 @@ impl Graph {
 
     /// The nodes that some nodes rest on, and these, each behind those that it rests on.
     pub fn below(&self, roots: &[NodeId]) -> Vec<NodeId> {
-        let mut open = roots.to_vec();
-        let mut found = BTreeSet::new();
-        while let Some(id) = open.pop() {
-            if found.insert(id) {
-                self.node(id).visit(&mut |part| open.push(part));
-            }
-        }
-        found.into_iter().collect()
+        self.reached(roots, |node, part| node.visit(part))
     }
 
     /// The nodes that the values of some nodes are made of, and these: without what need only exist.
     pub fn within(&self, roots: &[NodeId]) -> Vec<NodeId> {
+        self.reached(roots, |node, part| match node {
+            Node::Guarded { value, .. } => part(*value),
+            node => node.visit(part),
+        })
+    }
+
+    /// The nodes that are reached from some nodes by way of some of their parts, and these, each behind
+    /// those that it rests on.
+    fn reached(
+        &self,
+        roots: &[NodeId],
+        parts: impl Fn(&Node, &mut dyn FnMut(NodeId)),
+    ) -> Vec<NodeId> {
         let mut open = roots.to_vec();
-        let mut found = BTreeSet::new();
+        let mut found = FxHashSet::default();
         while let Some(id) = open.pop() {
-            if !found.insert(id) {
-                continue;
-            }
-            match self.node(id) {
-                Node::Guarded { value, .. } => open.push(*value),
-                node => node.visit(&mut |part| open.push(part)),
+            if found.insert(id) {
+                parts(self.node(id), &mut |part| open.push(part));
             }
         }
-        found.into_iter().collect()
+        // A node has a higher number than those that it rests on.
+        let mut found: Vec<NodeId> = found.into_iter().collect();
+        found.sort_unstable();
+        found
     }
 
     /// The variables that some nodes rest on.

@@ -31,7 +31,7 @@ pub fn coordinate(ascii: &str, scope: &Scope) -> Expression {
 /// `dC_D` and `d2C_D` are derivatives of `C_D` unless the document declares something that is called
 /// so.
 fn derivative(ascii: &str, scope: &Scope) -> (Name, u32) {
-    let declared = |ascii: &str| scope.get(&Name::new(ascii)).map(|entry| entry.name.clone());
+    let declared = |ascii: &str| scope.spelled(ascii).map(|entry| entry.name.clone());
     if let Some(name) = declared(ascii) {
         return (name, 0);
     }

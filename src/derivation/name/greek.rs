@@ -30,6 +30,9 @@ const GREEK: [(char, char, &str, &str); 24] = [
 
 /// The ASCII name of a Greek letter in any of its shapes: `theta` for both `θ` and `ϑ`.
 pub(crate) fn transliterate(character: char) -> Option<&'static str> {
+    if character.is_ascii() {
+        return None;
+    }
     let letter = usual_shape(character);
     GREEK.iter().find_map(|&(lower, upper, name, capitalized)| {
         if letter == lower {
