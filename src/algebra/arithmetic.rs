@@ -17,6 +17,11 @@ pub trait Arithmetic {
     fn one(&self) -> Self::Element;
     /// Whether a = 0.
     fn is_zero(&self, a: &Self::Element) -> bool;
+    /// Whether a = 0, and a and its multiples change no sum: a 0 with a unit asks of the other summands
+    /// that they have it, too.
+    fn is_negligible(&self, a: &Self::Element) -> bool {
+        self.is_zero(a)
+    }
     /// a + b
     ///
     /// # Errors

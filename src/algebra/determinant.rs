@@ -10,7 +10,7 @@ use super::matrix::Matrix;
 /// |A| = Σ_j (−1)ʲ a₀ⱼ |A without row 0 and column j|, and the minors of the lower rows are shared
 /// between the branches. Nothing is divided, so it serves every commutative ring.
 ///
-/// Complexity: n·2ⁿ⁻¹ products for n rows; zero entries cost nothing.
+/// Complexity: n·2ⁿ⁻¹ products for n rows; negligible entries cost nothing.
 ///
 /// # Errors
 ///
@@ -74,7 +74,7 @@ impl<A: Arithmetic> Minors<'_, A> {
         let mut sum = self.arithmetic.zero();
         for (place, &column) in columns.iter().enumerate() {
             let entry = self.matrix.at(row, column);
-            if self.arithmetic.is_zero(entry) {
+            if self.arithmetic.is_negligible(entry) {
                 continue;
             }
             let others: Vec<usize> = columns.iter().copied().filter(|c| *c != column).collect();

@@ -42,34 +42,13 @@ impl Ring {
         element: &Fraction,
         differential: &Differential,
     ) -> Result<Vec<Polynomial>, AlgebraError> {
-        let symbols_of = |element: &Fraction| {
-            let mut symbols = element.numerator().symbols();
-            symbols.extend(element.denominator().symbols());
-            symbols
-        };
-        let mut open: Vec<Symbol> = symbols_of(element).into_iter().collect();
-        let (mut seen, mut moving) = (BTreeSet::new(), Vec::new());
-        while let Some(symbol) = open.pop() {
-            if !seen.insert(symbol) {
-                continue;
-            }
-            match self.generator(symbol).clone() {
-                Generator::Root { radicand } => {
-                    open.extend(radicand.symbols());
-                    let change = self.differentiate_polynomial(&radicand, differential)?;
-                    if !change.is_zero() {
-                        moving.push(radicand);
-                    }
-                }
-                Generator::FunctionValue { argument, .. } => open.extend(symbols_of(&argument)),
-                Generator::Direction { x, y, .. } => {
-                    open.extend(symbols_of(&x));
-                    open.extend(symbols_of(&y));
-                }
-                Generator::Cosine { angle } | Generator::Sine { angle } => {
-                    open.extend(angle.coefficients().map(|(inside, _)| inside));
-                }
-                _ => {}
+        let constituents = self.constituents(element);
+        let (mut changes, mut moving) = (Changes::by(differential, self), Vec::new());
+        for symbol in constituents {
+            if let Generator::Root { radicand } = changes.ring.generator(symbol).clone()
+                && !changes.of(&radicand.clone().into())?.is_zero()
+            {
+                moving.push(radicand);
             }
         }
         Ok(moving)
@@ -109,110 +88,141 @@ impl Ring {
         element: &Fraction,
         differential: &Differential,
     ) -> Result<Fraction, AlgebraError> {
-        let numerator = self.differentiate_polynomial(element.numerator(), differential)?;
-        let denominator = self.differentiate_polynomial(element.denominator(), differential)?;
+        Changes::by(differential, self).of(element)
+    }
+}
+
+/// A differential at work, which keeps the changes of the symbols that it has met.
+struct Changes<'a> {
+    differential: &'a Differential,
+    ring: &'a mut Ring,
+    known: BTreeMap<Symbol, Fraction>,
+}
+
+impl<'a> Changes<'a> {
+    fn by(differential: &'a Differential, ring: &'a mut Ring) -> Self {
+        let known = match differential {
+            Differential::Time => BTreeMap::new(),
+            Differential::Images(images) => images.clone(),
+        };
+        Changes {
+            differential,
+            ring,
+            known,
+        }
+    }
+
+    /// d(N/D)
+    fn of(&mut self, element: &Fraction) -> Result<Fraction, AlgebraError> {
+        self.find(element.symbols())?;
+        let numerator = self.of_polynomial(element.numerator())?;
+        let denominator = self.of_polynomial(element.denominator())?;
         let below = Fraction::from(element.denominator().clone());
-        let change = self.quotient(&numerator, &below)?;
+        let change = self.ring.quotient(&numerator, &below)?;
         if denominator.is_zero() {
             return Ok(change);
         }
-        let relative = self.quotient(&denominator, &below)?;
-        self.difference(&change, &self.product(element, &relative)?)
+        let relative = self.ring.quotient(&denominator, &below)?;
+        let product = self.ring.product(element, &relative)?;
+        self.ring.difference(&change, &product)
     }
 
-    fn differentiate_polynomial(
-        &mut self,
-        polynomial: &Polynomial,
-        differential: &Differential,
-    ) -> Result<Fraction, AlgebraError> {
-        let mut sum = self.zero();
+    /// Finds the changes of symbols, after those of all that they stand for.
+    fn find(&mut self, symbols: BTreeSet<Symbol>) -> Result<(), AlgebraError> {
+        let known = |symbol: &Symbol| self.known.contains_key(symbol);
+        for symbol in self.ring.unknown_constituents(symbols, known) {
+            self.ring.budget().spend(1)?;
+            let change = self.of_symbol(symbol)?;
+            self.known.insert(symbol, change);
+        }
+        Ok(())
+    }
+
+    /// dP of a polynomial in known symbols.
+    fn of_polynomial(&self, polynomial: &Polynomial) -> Result<Fraction, AlgebraError> {
+        let mut sum = self.ring.zero();
         let symbols = polynomial.symbols();
         let width = symbols.len().max(8);
         for symbol in symbols {
-            let image = self.image(symbol, differential)?;
-            if image.is_zero() {
+            let Some(change) = self.known.get(&symbol).filter(|change| !change.is_zero()) else {
                 continue;
-            }
+            };
             // Derivatives and sums cost steps for their terms, more for long ones.
             let terms = polynomial.len() + sum.numerator().len();
-            self.budget().spend((width * terms) as u64)?;
+            self.ring.budget().spend((width * terms) as u64)?;
             let slope = Fraction::from(polynomial.derivative(symbol));
-            sum = self.sum(&sum, &self.product(&slope, &image)?)?;
+            sum = self.ring.sum(&sum, &self.ring.product(&slope, change)?)?;
         }
         Ok(sum)
     }
 
-    /// dg of one symbol g.
-    pub(super) fn image(
-        &mut self,
-        symbol: Symbol,
-        differential: &Differential,
-    ) -> Result<Fraction, AlgebraError> {
-        if let Differential::Images(images) = differential
-            && let Some(image) = images.get(&symbol)
-        {
-            return Ok(image.clone());
-        }
-        match self.generator(symbol).clone() {
+    /// dg of a symbol g that is not known yet, though all that it stands for are.
+    fn of_symbol(&mut self, symbol: Symbol) -> Result<Fraction, AlgebraError> {
+        match self.ring.generator(symbol).clone() {
             Generator::Constant { .. } | Generator::Angle { .. } | Generator::ImaginaryUnit => {
-                Ok(self.zero())
+                Ok(self.ring.zero())
             }
-            Generator::Coordinate { name, order, .. } => match differential {
-                Differential::Time => {
-                    let next = Generator::Coordinate {
-                        name,
-                        order: order + 1,
-                        angular: false,
-                    };
-                    let next = self.symbol(next)?;
-                    Ok(self.element(next))
-                }
-                Differential::Images(_) => Ok(self.zero()),
-            },
-            Generator::Cosine { angle } => {
-                let turn = self.differentiate(&self.angle_element(&angle), differential)?;
-                if turn.is_zero() {
-                    return Ok(turn);
-                }
-                let (_, sine) = self.cosine_and_sine(&angle)?;
-                self.product(&self.negative(&sine), &turn)
-            }
-            Generator::Sine { angle } => {
-                let turn = self.differentiate(&self.angle_element(&angle), differential)?;
-                if turn.is_zero() {
-                    return Ok(turn);
-                }
-                let (cosine, _) = self.cosine_and_sine(&angle)?;
-                self.product(&cosine, &turn)
-            }
-            Generator::Root { radicand } => {
-                let change = self.differentiate_polynomial(&radicand, differential)?;
-                if change.is_zero() {
-                    return Ok(change);
-                }
-                let twice = self.sum(&self.element(symbol), &self.element(symbol))?;
-                self.quotient(&change, &twice)
-            }
-            Generator::Direction { x, y, length } => {
-                let (dx, dy) = (
-                    self.differentiate(&x, differential)?,
-                    self.differentiate(&y, differential)?,
-                );
-                let across = self.difference(&self.product(&x, &dy)?, &self.product(&y, &dx)?)?;
-                self.quotient(&across, &self.product(&length, &length)?)
-            }
+            Generator::Coordinate { name, order, .. } => self.of_coordinate(name, order),
+            Generator::Cosine { angle } => self.along(&self.ring.angle_element(&angle), |ring| {
+                let (_, sine) = ring.cosine_and_sine(&angle)?;
+                Ok(ring.negative(&sine))
+            }),
+            Generator::Sine { angle } => self.along(&self.ring.angle_element(&angle), |ring| {
+                Ok(ring.cosine_and_sine(&angle)?.0)
+            }),
+            Generator::Root { radicand } => self.along(&radicand.into(), |ring| {
+                let root = ring.element(symbol);
+                ring.quotient(&ring.one(), &ring.sum(&root, &root)?)
+            }),
+            Generator::Direction { x, y, length } => self.of_direction(&x, &y, &length),
             Generator::FunctionValue {
                 name,
                 order,
                 argument,
-            } => {
-                let change = self.differentiate(&argument, differential)?;
-                if change.is_zero() {
-                    return Ok(change);
-                }
-                let slope = self.function_value(&name, order + 1, &argument)?;
-                self.product(&slope, &change)
-            }
+            } => self.along(&argument, |ring| {
+                ring.function_value(&name, order + 1, &argument)
+            }),
         }
+    }
+
+    /// The next time derivative of a coordinate, which changes with time alone.
+    fn of_coordinate(&mut self, name: String, order: u32) -> Result<Fraction, AlgebraError> {
+        let Differential::Time = self.differential else {
+            return Ok(self.ring.zero());
+        };
+        let next = Generator::Coordinate {
+            name,
+            order: order + 1,
+            angular: false,
+        };
+        let next = self.ring.symbol(next)?;
+        Ok(self.ring.element(next))
+    }
+
+    /// f′(a) da, where the slope f′(a) is asked for only if a changes.
+    fn along(
+        &mut self,
+        argument: &Fraction,
+        slope: impl FnOnce(&mut Ring) -> Result<Fraction, AlgebraError>,
+    ) -> Result<Fraction, AlgebraError> {
+        let change = self.of(argument)?;
+        if change.is_zero() {
+            return Ok(change);
+        }
+        let slope = slope(self.ring)?;
+        self.ring.product(&slope, &change)
+    }
+
+    /// (x dy − y dx)/w²
+    fn of_direction(
+        &mut self,
+        x: &Fraction,
+        y: &Fraction,
+        length: &Fraction,
+    ) -> Result<Fraction, AlgebraError> {
+        let (dx, dy) = (self.of(x)?, self.of(y)?);
+        let ring = &self.ring;
+        let across = ring.difference(&ring.product(x, &dy)?, &ring.product(y, &dx)?)?;
+        ring.quotient(&across, &ring.product(length, length)?)
     }
 }

@@ -5,7 +5,7 @@ use super::error::AlgebraError;
 use super::fraction::Fraction;
 use super::polynomial::Polynomial;
 use super::ring::Ring;
-use super::series::{Expansion, depends};
+use super::series::Expansion;
 use super::symbol::Symbol;
 
 impl Ring {
@@ -79,15 +79,12 @@ impl Ring {
 
     /// Whether the small quantities appear above the line only, and in no other symbol's meaning.
     fn is_polynomial_in(&self, element: &Fraction, small: &[Symbol]) -> bool {
-        let still = |symbol: &Symbol| !depends(self, *symbol, small);
-        let (above, below) = (
-            element.numerator().symbols(),
-            element.denominator().symbols(),
-        );
-        below.iter().all(still)
-            && above
-                .iter()
-                .all(|symbol| small.contains(symbol) || still(symbol))
+        let is_small = |symbol: &Symbol| small.contains(symbol);
+        let mut symbols = element.numerator().symbols();
+        symbols.retain(|symbol| !is_small(symbol));
+        symbols.append(&mut element.denominator().symbols());
+        let constituents = self.unknown_constituents(symbols, |_| false);
+        !constituents.iter().any(is_small)
     }
 
     /// The terms of each total degree up to an order, of a polynomial in the small quantities.

@@ -1,6 +1,7 @@
 //! Quotients of polynomials.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 use dashu_base::UnsignedAbs;
 
@@ -128,6 +129,17 @@ impl Fraction {
     /// The denominator in lowest terms; its leading coefficient is positive.
     pub fn denominator(&self) -> &Polynomial {
         &self.denominator
+    }
+
+    /// The symbols that occur on either side of the line.
+    ///
+    /// Complexity: one pass over the terms.
+    pub fn symbols(&self) -> BTreeSet<Symbol> {
+        let mut symbols = self.numerator.symbols();
+        if !self.denominator.is_one() {
+            symbols.append(&mut self.denominator.symbols());
+        }
+        symbols
     }
 
     /// Whether this is zero.

@@ -99,7 +99,7 @@ pub fn null_space<A: Division>(
         }
         let normalised = rows[rank].clone();
         for (index, row) in rows.iter_mut().enumerate() {
-            if index == rank || arithmetic.is_zero(&row[column]) {
+            if index == rank || arithmetic.is_negligible(&row[column]) {
                 continue;
             }
             let factor = row[column].clone();

@@ -4,6 +4,7 @@ pub mod angle;
 pub mod arithmetic;
 pub mod budget;
 mod coefficient;
+mod constituent;
 mod degrees;
 pub mod determinant;
 pub mod differential;

@@ -1,7 +1,5 @@
 //! The ring everything lives in: polynomials modulo quadratic relations, and their fractions.
 
-use std::collections::BTreeSet;
-
 use super::angle::Angle;
 use super::budget::Budget;
 use super::degrees::Degrees;
@@ -293,37 +291,6 @@ impl Ring {
     pub fn is_real(&self, element: &Fraction) -> bool {
         let sides = [element.numerator(), element.denominator()];
         sides.into_iter().all(|side| self.is_real_polynomial(side))
-    }
-
-    /// The symbols of an element, and those that these stand for.
-    ///
-    /// Complexity: one pass over the terms of each.
-    pub fn constituents(&self, element: &Fraction) -> BTreeSet<Symbol> {
-        let symbols = |element: &Fraction| {
-            let mut symbols = element.numerator().symbols();
-            symbols.extend(element.denominator().symbols());
-            symbols
-        };
-        let mut open: Vec<Symbol> = symbols(element).into_iter().collect();
-        let mut found = BTreeSet::new();
-        while let Some(symbol) = open.pop() {
-            if !found.insert(symbol) {
-                continue;
-            }
-            match self.generator(symbol) {
-                Generator::Root { radicand } => open.extend(radicand.symbols()),
-                Generator::FunctionValue { argument, .. } => open.extend(symbols(argument)),
-                Generator::Direction { x, y, .. } => {
-                    open.extend(symbols(x));
-                    open.extend(symbols(y));
-                }
-                Generator::Cosine { angle } | Generator::Sine { angle } => {
-                    open.extend(angle.coefficients().map(|(inside, _)| inside));
-                }
-                _ => {}
-            }
-        }
-        found
     }
 
     /// The element, if it is real.

@@ -1,6 +1,6 @@
 //! Power series in small quantities, cut off behind an order.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::arithmetic::{Arithmetic, Division};
 use super::error::AlgebraError;
@@ -23,8 +23,9 @@ pub(super) struct Expansion<'a> {
     ring: &'a mut Ring,
     small: &'a [Symbol],
     order: usize,
-    /// The series of the symbols that depend on the small quantities.
-    known: BTreeMap<Symbol, Series>,
+    /// The series of the symbols that were met; nothing for one that does not depend on the small
+    /// quantities.
+    known: BTreeMap<Symbol, Option<Series>>,
 }
 
 impl<'a> Expansion<'a> {
@@ -57,24 +58,40 @@ impl<'a> Expansion<'a> {
     }
 
     fn polynomial(&mut self, polynomial: &Polynomial) -> Result<Series, AlgebraError> {
-        let mut moving = Vec::new();
-        for symbol in polynomial.symbols() {
-            if depends(self.ring, symbol, self.small) {
-                self.symbol(symbol)?;
-                moving.push(symbol);
-            }
-        }
+        self.find(polynomial.symbols())?;
+        let symbols = polynomial.symbols().into_iter();
+        let moving: Vec<Symbol> = symbols.filter(|symbol| self.moves(symbol)).collect();
         self.horner(polynomial, &moving)
+    }
+
+    fn moves(&self, symbol: &Symbol) -> bool {
+        matches!(self.known.get(symbol), Some(Some(_)))
+    }
+
+    /// Finds the series of symbols, after those of all that they stand for.
+    fn find(&mut self, symbols: BTreeSet<Symbol>) -> Result<(), AlgebraError> {
+        let known = |symbol: &Symbol| self.known.contains_key(symbol);
+        for symbol in self.ring.unknown_constituents(symbols, known) {
+            self.ring.budget().spend(1)?;
+            let parts = self.ring.parts_of(symbol);
+            let moves = self.small.contains(&symbol) || parts.iter().any(|part| self.moves(part));
+            let series = moves.then(|| self.symbol(symbol)).transpose()?;
+            self.known.insert(symbol, series);
+        }
+        Ok(())
     }
 
     /// Horner's rule in one symbol, with coefficients that are found in the same way from the others.
     fn horner(&self, polynomial: &Polynomial, moving: &[Symbol]) -> Result<Series, AlgebraError> {
-        let Some((symbol, others)) = moving.split_first() else {
+        let known = |(symbol, others): (&Symbol, _)| {
+            let series = self.known.get(symbol)?.as_ref()?;
+            Some((*symbol, series, others))
+        };
+        let Some((symbol, image, others)) = moving.split_first().and_then(known) else {
             return Ok(self.constant(Fraction::from(polynomial.clone())));
         };
         self.ring.budget().spend(polynomial.len() as u64)?;
-        let image = &self.known[symbol];
-        let mut coefficients = polynomial.coefficients_in(*symbol);
+        let mut coefficients = polynomial.coefficients_in(symbol);
         let highest = coefficients.keys().last().copied().unwrap_or(0);
         let mut sum = self.constant(self.ring.zero());
         for exponent in (0..=highest).rev() {
@@ -86,33 +103,28 @@ impl<'a> Expansion<'a> {
         Ok(sum)
     }
 
-    /// Finds the series of a symbol that depends on the small quantities.
-    fn symbol(&mut self, symbol: Symbol) -> Result<(), AlgebraError> {
-        if self.known.contains_key(&symbol) {
-            return Ok(());
-        }
-        let series = if self.small.contains(&symbol) {
+    /// The series of a symbol that depends on the small quantities, where those of all that it stands
+    /// for are known.
+    fn symbol(&mut self, symbol: Symbol) -> Result<Series, AlgebraError> {
+        if self.small.contains(&symbol) {
             let mut series = self.constant(self.ring.zero());
             if let Some(linear) = series.parts.get_mut(1) {
                 *linear = self.ring.element(symbol);
             }
-            series
-        } else {
-            match self.ring.generator(symbol).clone() {
-                Generator::Cosine { angle } => self.circle(&self.ring.angle_element(&angle))?.0,
-                Generator::Sine { angle } => self.circle(&self.ring.angle_element(&angle))?.1,
-                Generator::Root { radicand } => self.root(&radicand)?,
-                Generator::Direction { x, y, .. } => self.direction(&x, &y)?,
-                Generator::FunctionValue {
-                    name,
-                    order,
-                    argument,
-                } => self.function(&name, order, &argument)?,
-                _ => self.constant(self.ring.element(symbol)),
-            }
-        };
-        self.known.insert(symbol, series);
-        Ok(())
+            return Ok(series);
+        }
+        match self.ring.generator(symbol).clone() {
+            Generator::Cosine { angle } => Ok(self.circle(&self.ring.angle_element(&angle))?.0),
+            Generator::Sine { angle } => Ok(self.circle(&self.ring.angle_element(&angle))?.1),
+            Generator::Root { radicand } => self.root(&radicand),
+            Generator::Direction { x, y, .. } => self.direction(&x, &y),
+            Generator::FunctionValue {
+                name,
+                order,
+                argument,
+            } => self.function(&name, order, &argument),
+            _ => Ok(self.constant(self.ring.element(symbol))),
+        }
     }
 
     /// cos A and sin A, from dcos A = −sin A dA and dsin A = cos A dA.
@@ -296,25 +308,4 @@ impl<'a> Expansion<'a> {
         let number = Fraction::from(Rational::from(Integer::from(number)));
         self.ring.quotient(part, &number)
     }
-}
-
-/// Whether what a symbol stands for depends on small quantities.
-pub(super) fn depends(ring: &Ring, symbol: Symbol, small: &[Symbol]) -> bool {
-    let any = |polynomial: &Polynomial| {
-        polynomial
-            .symbols()
-            .into_iter()
-            .any(|inside| depends(ring, inside, small))
-    };
-    let of = |element: &Fraction| any(element.numerator()) || any(element.denominator());
-    small.contains(&symbol)
-        || match ring.generator(symbol) {
-            Generator::Cosine { angle } | Generator::Sine { angle } => angle
-                .coefficients()
-                .any(|(inside, _)| depends(ring, inside, small)),
-            Generator::Root { radicand } => any(radicand),
-            Generator::Direction { x, y, .. } => of(x) || of(y),
-            Generator::FunctionValue { argument, .. } => of(argument),
-            _ => false,
-        }
 }

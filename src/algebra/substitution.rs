@@ -3,6 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
+use super::angle::Angle;
 use super::arithmetic::{Arithmetic, Division};
 use super::error::AlgebraError;
 use super::fraction::Fraction;
@@ -21,7 +22,10 @@ impl Ring {
     /// The other symbols follow by what they stand for: a sine becomes the sine of the image of its
     /// angle, a root the root of the image of its radicand.
     ///
-    /// Complexity: one product at most for each term and each symbol that changes in it.
+    /// Who substitutes in many elements asks one [`Replacing`].
+    ///
+    /// Complexity: one product at most for each term and each symbol that changes in it; each symbol in
+    /// what others stand for is looked at once.
     ///
     /// # Errors
     ///
@@ -49,123 +53,177 @@ impl Ring {
         element: &Fraction,
         substitution: &Substitution,
     ) -> Result<Fraction, AlgebraError> {
-        let numerator = self.substitute_polynomial(element.numerator(), substitution)?;
-        let denominator = self.substitute_polynomial(element.denominator(), substitution)?;
-        self.quotient(&numerator, &denominator)
+        Replacing::by(substitution).image(element, self)
+    }
+}
+
+/// A substitution at work, which keeps the images of the symbols that it has met for the elements to
+/// come.
+///
+/// ```
+/// use sextic::algebra::{
+///     arithmetic::Arithmetic, budget::Budget, generator::Generator, ring::Ring,
+///     substitution::{Replacing, Substitution},
+/// };
+///
+/// let mut ring = Ring::new(Budget::new(10_000));
+/// let [x, y] = ["x", "y"].map(|name| Generator::Constant { name: name.into() });
+/// let (x, y) = (ring.symbol(x)?, ring.symbol(y)?);
+/// let root = ring.square_root(&ring.sum(&ring.one(), &ring.element(x))?)?;
+/// let substitution = Substitution::from([(x, ring.element(y))]);
+/// let mut replacing = Replacing::by(&substitution);
+/// assert_eq!(replacing.image(&ring.element(x), &mut ring)?, ring.element(y));
+/// let image = replacing.image(&root, &mut ring)?;
+/// assert_eq!(ring.product(&image, &image)?, ring.sum(&ring.one(), &ring.element(y))?);
+/// # Ok::<(), sextic::algebra::error::AlgebraError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Replacing {
+    /// The image of each symbol that was met; nothing where it stays.
+    known: BTreeMap<Symbol, Option<Fraction>>,
+}
+
+impl Replacing {
+    /// The substitution, of which nothing was asked yet.
+    pub fn by(substitution: &Substitution) -> Self {
+        let images = substitution.iter();
+        Replacing {
+            known: images
+                .map(|(symbol, image)| (*symbol, Some(image.clone())))
+                .collect(),
+        }
     }
 
-    fn substitute_polynomial(
+    /// The image of an element, as [`Ring::substitute`] gives it.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Ring::substitute`].
+    pub fn image(&mut self, element: &Fraction, ring: &mut Ring) -> Result<Fraction, AlgebraError> {
+        let unknown =
+            ring.unknown_constituents(element.symbols(), |symbol| self.known.contains_key(symbol));
+        for symbol in unknown {
+            ring.budget().spend(1)?;
+            let image = self.image_of_symbol(symbol, ring)?;
+            self.known.insert(symbol, image);
+        }
+        if element.symbols().iter().all(|symbol| self.stays(symbol)) {
+            return Ok(element.clone());
+        }
+        let numerator = self.image_of_polynomial(element.numerator(), ring)?;
+        let denominator = self.image_of_polynomial(element.denominator(), ring)?;
+        ring.quotient(&numerator, &denominator)
+    }
+
+    fn stays(&self, symbol: &Symbol) -> bool {
+        matches!(self.known.get(symbol), None | Some(None))
+    }
+
+    /// The image of an element; nothing where it stays.
+    fn changed(
         &mut self,
-        polynomial: &Polynomial,
-        substitution: &Substitution,
-    ) -> Result<Fraction, AlgebraError> {
-        let mut images = Vec::new();
-        for symbol in polynomial.symbols() {
-            if let Some(image) = self.substituted(symbol, substitution)? {
-                images.push((symbol, image));
-            }
-        }
-        // What becomes 0 goes first, and takes its terms with it; long images are multiplied last.
-        images.sort_by_key(|(_, image)| {
-            let terms = image.numerator().len() + image.denominator().len();
-            (!image.is_zero(), Reverse(terms))
-        });
-        self.horner(polynomial, &images)
+        element: &Fraction,
+        ring: &mut Ring,
+    ) -> Result<Option<Fraction>, AlgebraError> {
+        let image = self.image(element, ring)?;
+        Ok((image != *element).then_some(image))
     }
 
-    /// The value of a polynomial with images in place of some of its symbols, by Horner's rule in the
-    /// first of them, with coefficients that are found in the same way from the others.
-    fn horner(
-        &self,
-        polynomial: &Polynomial,
-        images: &[(Symbol, Fraction)],
-    ) -> Result<Fraction, AlgebraError> {
-        let Some(((symbol, image), others)) = images.split_first() else {
-            return Ok(Fraction::from(polynomial.clone()));
-        };
-        self.budget().spend(polynomial.len() as u64)?;
-        let coefficients = polynomial.coefficients_in(*symbol);
-        if image.is_zero() {
-            let constant = coefficients.get(&0);
-            return constant.map_or(Ok(self.zero()), |constant| self.horner(constant, others));
-        }
-        let mut value = self.zero();
-        let mut reached = coefficients.keys().last().copied().unwrap_or(0);
-        for (exponent, coefficient) in coefficients.iter().rev() {
-            let lowered =
-                self.product(&value, &self.power(image, i64::from(reached - exponent))?)?;
-            value = self.sum(&lowered, &self.horner(coefficient, others)?)?;
-            reached = *exponent;
-        }
-        self.product(&value, &self.power(image, i64::from(reached))?)
-    }
-
-    /// The image of one symbol; nothing where it stays.
-    fn substituted(
+    /// The image of a symbol that is not known yet, though all that it stands for are; nothing where it
+    /// stays.
+    fn image_of_symbol(
         &mut self,
         symbol: Symbol,
-        substitution: &Substitution,
+        ring: &mut Ring,
     ) -> Result<Option<Fraction>, AlgebraError> {
-        if let Some(image) = substitution.get(&symbol) {
-            return Ok(Some(image.clone()));
+        if ring.parts_of(symbol).iter().all(|part| self.stays(part)) {
+            return Ok(None);
         }
-        match self.generator(symbol).clone() {
+        match ring.generator(symbol).clone() {
             Generator::Constant { .. }
             | Generator::Angle { .. }
             | Generator::Coordinate { .. }
             | Generator::ImaginaryUnit => Ok(None),
-            Generator::Cosine { angle } => {
-                let turned = self.substituted_angle(&self.angle_element(&angle), substitution)?;
-                Ok(turned.map(|(cosine, _)| cosine))
-            }
-            Generator::Sine { angle } => {
-                let turned = self.substituted_angle(&self.angle_element(&angle), substitution)?;
-                Ok(turned.map(|(_, sine)| sine))
-            }
+            Generator::Cosine { angle } => Ok(self.turned(&angle, ring)?.map(|(cosine, _)| cosine)),
+            Generator::Sine { angle } => Ok(self.turned(&angle, ring)?.map(|(_, sine)| sine)),
             Generator::Root { radicand } => {
-                let radicand = Fraction::from(radicand);
-                let image = self.substitute(&radicand, substitution)?;
-                if image == radicand {
-                    Ok(None)
-                } else {
-                    self.square_root(&image).map(Some)
-                }
+                let image = self.changed(&radicand.into(), ring)?;
+                image.map(|image| ring.square_root(&image)).transpose()
             }
             Generator::Direction { x, y, .. } => {
-                let image_x = self.substitute(&x, substitution)?;
-                let image_y = self.substitute(&y, substitution)?;
-                if image_x == x && image_y == y {
-                    Ok(None)
-                } else {
-                    self.direction(&image_x, &image_y).map(Some)
-                }
+                let (image_x, image_y) = (self.image(&x, ring)?, self.image(&y, ring)?);
+                let changes = image_x != x || image_y != y;
+                changes
+                    .then(|| ring.direction(&image_x, &image_y))
+                    .transpose()
             }
             Generator::FunctionValue {
                 name,
                 order,
                 argument,
             } => {
-                let image = self.substitute(&argument, substitution)?;
-                if image == argument {
-                    Ok(None)
-                } else {
-                    self.function_value(&name, order, &image).map(Some)
-                }
+                let image = self.changed(&argument, ring)?;
+                image
+                    .map(|image| ring.function_value(&name, order, &image))
+                    .transpose()
             }
         }
     }
 
     /// The cosine and sine of the image of an angle; nothing where it stays.
-    fn substituted_angle(
+    fn turned(
         &mut self,
-        angle: &Fraction,
-        substitution: &Substitution,
+        angle: &Angle,
+        ring: &mut Ring,
     ) -> Result<Option<(Fraction, Fraction)>, AlgebraError> {
-        let image = self.substitute(angle, substitution)?;
-        if image == *angle {
+        let Some(image) = self.changed(&ring.angle_element(angle), ring)? else {
             return Ok(None);
-        }
-        let image = self.angle(&image).ok_or(AlgebraError::NotAnAngle)?;
-        self.cosine_and_sine(&image).map(Some)
+        };
+        let image = ring.angle(&image).ok_or(AlgebraError::NotAnAngle)?;
+        ring.cosine_and_sine(&image).map(Some)
     }
+
+    /// The image of a polynomial in known symbols.
+    fn image_of_polynomial(
+        &self,
+        polynomial: &Polynomial,
+        ring: &Ring,
+    ) -> Result<Fraction, AlgebraError> {
+        let symbols = polynomial.symbols().into_iter();
+        let mut images: Vec<(Symbol, &Fraction)> = symbols
+            .filter_map(|symbol| Some((symbol, self.known.get(&symbol)?.as_ref()?)))
+            .collect();
+        // What becomes 0 goes first, and takes its terms with it; long images are multiplied last.
+        images.sort_by_key(|(_, image)| {
+            let terms = image.numerator().len() + image.denominator().len();
+            (!image.is_zero(), Reverse(terms))
+        });
+        horner(polynomial, &images, ring)
+    }
+}
+
+/// The value of a polynomial with images in place of some of its symbols, by Horner's rule in the
+/// first of them, with coefficients that are found in the same way from the others.
+fn horner(
+    polynomial: &Polynomial,
+    images: &[(Symbol, &Fraction)],
+    ring: &Ring,
+) -> Result<Fraction, AlgebraError> {
+    let Some(((symbol, image), others)) = images.split_first() else {
+        return Ok(Fraction::from(polynomial.clone()));
+    };
+    ring.budget().spend(polynomial.len() as u64)?;
+    let coefficients = polynomial.coefficients_in(*symbol);
+    if image.is_zero() {
+        let constant = coefficients.get(&0);
+        return constant.map_or(Ok(ring.zero()), |constant| horner(constant, others, ring));
+    }
+    let mut value = ring.zero();
+    let mut reached = coefficients.keys().last().copied().unwrap_or(0);
+    for (exponent, coefficient) in coefficients.iter().rev() {
+        let lowered = ring.product(&value, &ring.power(image, i64::from(reached - exponent))?)?;
+        value = ring.sum(&lowered, &horner(coefficient, others, ring)?)?;
+        reached = *exponent;
+    }
+    ring.product(&value, &ring.power(image, i64::from(reached))?)
 }

@@ -1,12 +1,15 @@
 //! Sines and cosines of sums of angles, and the angles of vectors.
 
+use std::collections::BTreeSet;
+
 use super::angle::{Angle, Decomposition, decompose};
 use super::arithmetic::{Arithmetic, Division};
+use super::differential::Differential;
 use super::error::AlgebraError;
 use super::fraction::Fraction;
 use super::generator::Generator;
 use super::monomial::Monomial;
-use super::number::Integer;
+use super::number::{Integer, Rational};
 use super::polynomial::Polynomial;
 use super::ring::{BasisAngle, Ring};
 use super::symbol::Symbol;
@@ -167,50 +170,85 @@ impl Ring {
         Ok(result)
     }
 
-    /// The angle of the vector (x, y): one of the basis where it is parallel to it, else a symbol of
-    /// its own.
+    /// The angle of the vector (x, y): a sum A of angular symbols with whole coefficients where the vector
+    /// is parallel to (cos A, sin A), else a symbol of its own.
     ///
-    /// (x, y) is parallel to (cos B, sin B) where x sin B = y cos B and x cos B + y sin B > 0.
-    ///
-    /// Complexity: four products for each angle of the basis, then one [`Ring::square_root`].
+    /// Complexity: for each angular symbol in the sines and cosines of x and y a derivative of both, then
+    /// one [`Ring::square_root`].
     ///
     /// # Errors
     ///
     /// [`AlgebraError::NotReal`] where x or y is not real, [`AlgebraError::DivisionByZero`] for the vector
-    /// (0, 0), and those of
-    /// [`Ring::square_root`].
+    /// (0, 0), and those of [`Ring::square_root`] and [`Ring::differentiate`].
     pub fn direction(&mut self, x: &Fraction, y: &Fraction) -> Result<Fraction, AlgebraError> {
         let (x, y) = (&self.canonical(x)?, &self.canonical(y)?);
         self.real(x)?;
         self.real(y)?;
-        for index in 0..self.basis.len() {
-            let BasisAngle {
-                angle,
-                cosine,
-                sine,
-            } = self.basis[index].clone();
-            let (cosine, sine) = (self.element(cosine), self.element(sine));
-            let across = self.difference(&self.product(x, &sine)?, &self.product(y, &cosine)?)?;
-            let along = self.sum(&self.product(x, &cosine)?, &self.product(y, &sine)?)?;
-            if across.is_zero() && self.signs(&along)?.is_positive() {
-                return Ok(self.angle_element(&angle));
-            }
+        let square = self.sum(&self.product(x, x)?, &self.product(y, y)?)?;
+        if square.is_zero() {
+            return Err(AlgebraError::DivisionByZero);
         }
-        if y.is_zero() && self.signs(x)?.is_positive() {
-            return Ok(self.zero());
+        if let Some(angle) = self.turns(x, y, &square)?
+            && self.is_parallel(x, y, &angle)?
+        {
+            return Ok(self.angle_element(&angle));
         }
-        let length = self.length(x, y)?;
+        let length = self.square_root(&square)?;
         let (x, y) = (x.clone(), y.clone());
         let symbol = self.symbol(Generator::Direction { x, y, length })?;
         Ok(self.element(symbol))
     }
 
-    /// √(x² + y²).
-    fn length(&mut self, x: &Fraction, y: &Fraction) -> Result<Fraction, AlgebraError> {
-        let square = self.sum(&self.product(x, x)?, &self.product(y, y)?)?;
-        if square.is_zero() {
-            return Err(AlgebraError::DivisionByZero);
+    /// The only sum of angular symbols with whole coefficients that may be the angle of the vector
+    /// (x, y): its slopes (x dy − y dx)/(x² + y²) are the coefficients.
+    fn turns(
+        &mut self,
+        x: &Fraction,
+        y: &Fraction,
+        square: &Fraction,
+    ) -> Result<Option<Angle>, AlgebraError> {
+        let mut coefficients = Vec::new();
+        for symbol in self.turning_symbols(&[x, y]) {
+            let by = Differential::partial(symbol, self);
+            let (dx, dy) = (self.differentiate(x, &by)?, self.differentiate(y, &by)?);
+            let across = self.difference(&self.product(x, &dy)?, &self.product(y, &dx)?)?;
+            let slope = self.quotient(&across, square)?.as_constant();
+            let Some(whole) = slope.filter(Rational::is_int) else {
+                return Ok(None);
+            };
+            coefficients.push((symbol, whole.into_parts().0));
         }
-        self.square_root(&square)
+        Ok(Some(Angle::new(coefficients)))
+    }
+
+    /// The declared angles and coordinates of which sines and cosines are taken in some elements.
+    fn turning_symbols(&self, elements: &[&Fraction]) -> BTreeSet<Symbol> {
+        let constituents = elements
+            .iter()
+            .flat_map(|element| self.constituents(element));
+        let circular = constituents.filter(|symbol| {
+            let generator = self.generator(*symbol);
+            matches!(generator, Generator::Cosine { .. } | Generator::Sine { .. })
+        });
+        circular.flat_map(|symbol| self.parts_of(symbol)).collect()
+    }
+
+    /// Whether (x, y) is parallel to (cos A, sin A): x sin A = y cos A and x cos A + y sin A > 0.
+    fn is_parallel(
+        &mut self,
+        x: &Fraction,
+        y: &Fraction,
+        angle: &Angle,
+    ) -> Result<bool, AlgebraError> {
+        let (cosine, sine) = match self.cosine_and_sine(angle) {
+            Err(AlgebraError::FractionalAngle) => return Ok(false),
+            found => found?,
+        };
+        let across = self.difference(&self.product(x, &sine)?, &self.product(y, &cosine)?)?;
+        if !across.is_zero() {
+            return Ok(false);
+        }
+        let along = self.sum(&self.product(x, &cosine)?, &self.product(y, &sine)?)?;
+        Ok(self.signs(&along)?.is_positive())
     }
 }

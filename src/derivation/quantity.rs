@@ -14,7 +14,7 @@ use super::unit::Unit;
 pub struct Quantity {
     /// The element.
     pub value: Fraction,
-    /// Its unit; none for a plain 0, which fits every unit.
+    /// Its unit; none for the number 0 as it is written and for products with it, which fit every unit.
     pub unit: Option<Unit>,
 }
 
@@ -37,6 +37,11 @@ impl Quantity {
             value: Fraction::from(number),
             unit,
         }
+    }
+
+    /// Whether the quantity is a 0 without a unit.
+    pub fn fits_every_unit(&self) -> bool {
+        self.unit.is_none() && self.value.is_zero()
     }
 
     /// The quantity as a value.
@@ -97,6 +102,10 @@ impl Arithmetic for Quantities<'_> {
 
     fn is_zero(&self, a: &Quantity) -> bool {
         a.value.is_zero()
+    }
+
+    fn is_negligible(&self, a: &Quantity) -> bool {
+        a.fits_every_unit()
     }
 
     fn sum(&self, a: &Quantity, b: &Quantity) -> Result<Quantity, QuantityError> {

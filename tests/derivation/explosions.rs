@@ -56,6 +56,42 @@ fn long_chains_of_definitions_do_not_overflow_the_stack() {
     );
 }
 
+/// Roots or functions r_0, r_1, …, each of the two before it: written in full they grow exponentially.
+fn chain(function: &str, length: usize) -> String {
+    let mut text = format!(
+        "parameter x, y, q : 1 > 0\nfunction f at x : 1\nr_0 := {function}(x + 1)\nr_1 := {function}(r_0 + 1)\n"
+    );
+    for n in 2..=length {
+        text += &format!("r_{n} := {function}(1 + r_{} + r_{})\n", n - 1, n - 2);
+    }
+    text
+}
+
+#[test]
+fn what_stands_in_many_places_is_looked_at_once() {
+    for function in ["sqrt", "f"] {
+        let chain = chain(function, 40);
+        for claim in [
+            "((r_40 at (x = y)) at (y = x)) == r_40",
+            "truncate(r_40*q/(1 + q*y), [q], 1) == r_40*q",
+            "d(r_40, y) == 0",
+            "dt(r_40) == 0",
+        ] {
+            assert_eq!(outcome(&format!("{chain}claim (1): {claim}")), "holds");
+        }
+    }
+}
+
+#[test]
+fn what_stands_deep_does_not_overflow_the_stack() {
+    let mut text = "parameter x, y : 1\nfunction f at x : 1\na_0 := x\n".to_string();
+    for n in 1..2000 {
+        text += &format!("a_{n} := f(a_{})\n", n - 1);
+    }
+    let claim = "claim (1): ((a_1999 at (x = y)) at (y = x)) == a_1999";
+    assert_ne!(outcome(&format!("{text}{claim}")), "refuted");
+}
+
 #[test]
 fn long_sums_do_not_overflow_the_stack() {
     let text = "parameter a, b, c, e, λ, u : 1\np := (a + b + c + e + 1)^10\n\

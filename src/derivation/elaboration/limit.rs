@@ -136,10 +136,10 @@ pub fn check_sides(rows: usize, columns: usize, span: &Span) -> Result<(), Diagn
     )
 }
 
-/// Counts the minors that an expansion along the rows needs, leaving out entries that are 0; each
-/// counts as often as `weight` says.
+/// Counts the minors that an expansion along the rows needs, leaving out entries that are 0 and have no
+/// unit; each counts as often as `weight` says.
 pub fn check_minors(matrix: &Value, weight: usize, span: &Span) -> Result<(), Diagnostic> {
-    let is_zero = |row: usize, column: usize| matrix.at(row, column).value.is_zero();
+    let is_zero = |row: usize, column: usize| matrix.at(row, column).fits_every_unit();
     check_minors_of(matrix.shape(), is_zero, weight, span)
 }
 

@@ -40,6 +40,20 @@ proptest! {
     }
 
     #[test]
+    fn the_angle_of_a_turned_vector_is_what_it_was_turned_by(
+        k in (-2..=2_i32, -1..=1_i32, -2..=2_i32), mut world in world(),
+    ) {
+        let angle = world.angle(&[k.0, k.1, k.2, 0]);
+        let (cosine, sine) = world.ring.cosine_and_sine(&angle).unwrap();
+        let length = world.ring.element(world.free[2]);
+        let (x, y) = (world.ring.product(&length, &cosine).unwrap(), world.ring.product(&length, &sine).unwrap());
+        prop_assert_eq!(world.ring.direction(&x, &y), Ok(world.ring.angle_element(&angle)));
+        // Turned halfway round it is no multiple of these.
+        let back = (world.ring.negative(&x), world.ring.negative(&y));
+        prop_assert_ne!(world.ring.direction(&back.0, &back.1), Ok(world.ring.angle_element(&angle)));
+    }
+
+    #[test]
     fn angles_are_elements_and_back(k in coefficients(), world in world()) {
         let angle = world.angle(&k);
         let element = world.ring.angle_element(&angle);
