@@ -4,12 +4,14 @@ use std::collections::BinaryHeap;
 
 use dashu_base::{BitTest, DivRem};
 
-use super::budget::{Budget, Exhausted, check_bits, check_exponent, check_terms, words};
+use super::budget::{
+    Budget, Exhausted, check_bits, check_exponent, check_terms, steps_of_division, words,
+};
 use super::degrees::Degrees;
 use super::monomial::Monomial;
 use super::number::Integer;
 use super::packing::{Frame, Key, Layout};
-use super::polynomial::{Polynomial, Term};
+use super::polynomial::{Polynomial, Term, Terms};
 use super::product::encode;
 use super::symbol::Symbol;
 
@@ -54,9 +56,7 @@ impl Polynomial {
             }
         }
         if let [term] = divisor.terms() {
-            let quotients = self.terms().iter().map(|own| divide_term(own, term));
-            let terms: Option<Vec<Term>> = quotients.collect();
-            return Ok(terms.map(Polynomial::from_sorted));
+            return self.divide_by_term(term, budget);
         }
         let degrees = Degrees::of(self);
         let Some(bound) = degrees.difference(&Degrees::of(divisor)) else {
@@ -69,6 +69,14 @@ impl Polynomial {
             65..=128 => divide::<u128>(self, divisor, &layout, &bound, budget),
             _ => divide::<Monomial>(self, divisor, &layout, &bound, budget),
         }
+    }
+
+    fn divide_by_term(&self, term: &Term, budget: &Budget) -> Result<Option<Self>, Exhausted> {
+        let steps = self.terms().iter();
+        budget.spend(steps.map(|(_, own)| steps_of_division(own, &term.1)).sum())?;
+        let quotients = self.terms().iter().map(|own| divide_term(own, term));
+        let terms: Option<Terms> = quotients.collect();
+        Ok(terms.map(Polynomial::from_sorted))
     }
 
     /// The pseudo-remainder with respect to `symbol`: the `r` of lower degree
@@ -182,6 +190,7 @@ fn divide<K: Key>(
         let Some(term_key) = key.quotient(leading_key, &frame) else {
             return Ok(None);
         };
+        budget.spend(steps_of_division(&coefficient, leading))?;
         let Some(coefficient) = divide_integer(&coefficient, leading) else {
             return Ok(None);
         };

@@ -6,12 +6,13 @@ mod subresultant;
 use std::collections::BTreeMap;
 
 use dashu_base::Abs;
+use smallvec::smallvec;
 
-use super::budget::{Budget, Exhausted};
+use super::budget::{Budget, Exhausted, steps_of_division};
 use super::degrees::Degrees;
 use super::image::degrees_of_gcd;
 use super::monomial::Monomial;
-use super::polynomial::{Polynomial, Term, integer_gcd};
+use super::polynomial::{Polynomial, Term, Terms, integer_gcd};
 use super::symbol::Symbol;
 
 impl Polynomial {
@@ -54,7 +55,7 @@ impl Polynomial {
         }
         budget.spend((self.len() + other.len()) as u64)?;
         if let ([term], others) | (others, [term]) = (self.terms(), other.terms()) {
-            return Ok(gcd_with_term(term, others));
+            return gcd_with_term(term, others, budget);
         }
         let (left, right) = (self.content(), other.content());
         let integer = integer_gcd(&left, &right);
@@ -69,15 +70,20 @@ impl Polynomial {
 }
 
 /// The gcd of a term and of a sum of others, which is a term; most sums show soon that it is 1.
-fn gcd_with_term((monomial, coefficient): &Term, others: &[Term]) -> Polynomial {
+fn gcd_with_term(
+    (monomial, coefficient): &Term,
+    others: &[Term],
+    budget: &Budget,
+) -> Result<Polynomial, Exhausted> {
     let mut common = (monomial.clone(), coefficient.abs());
     for (monomial, coefficient) in others {
         if common.0.is_one() && common.1.is_one() {
             break;
         }
+        budget.spend(steps_of_division(&common.1, coefficient))?;
         common = (common.0.gcd(monomial), integer_gcd(&common.1, coefficient));
     }
-    Polynomial::from_sorted(vec![common])
+    Ok(Polynomial::from_sorted(smallvec![common]))
 }
 
 /// The gcd of the polynomials of a list, zero for none.
@@ -146,7 +152,7 @@ fn primitive_gcd(
 
 /// The coefficients of the monomials in the symbols that `chosen` picks.
 fn coefficients_by(polynomial: &Polynomial, chosen: impl Fn(Symbol) -> bool) -> Vec<Polynomial> {
-    let mut groups = BTreeMap::<Monomial, Vec<Term>>::new();
+    let mut groups = BTreeMap::<Monomial, Terms>::new();
     for (monomial, coefficient) in polynomial.terms() {
         let (picked, others) = monomial.partition(&chosen);
         groups

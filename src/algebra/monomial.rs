@@ -1,8 +1,6 @@
 //! Products of powers of symbols.
 
 use std::fmt;
-use std::iter::{Copied, Peekable};
-use std::slice::Iter;
 
 use smallvec::SmallVec;
 
@@ -90,6 +88,9 @@ impl Monomial {
     /// [`Exhausted`] if an exponent exceeds
     /// [`LARGEST_EXPONENT`](super::budget::LARGEST_EXPONENT).
     pub fn product(&self, other: &Self) -> Result<Self, Exhausted> {
+        if self.is_one() || other.is_one() {
+            return Ok(if self.is_one() { other } else { self }.clone());
+        }
         let mut product = Monomial::one();
         for (symbol, left, right) in self.aligned(other) {
             product.push(symbol, check_exponent(u64::from(left) + u64::from(right))?);
@@ -123,9 +124,21 @@ impl Monomial {
         Some(quotient)
     }
 
+    /// `self / gcd(self, divisor)`.
+    pub(super) fn over(&self, divisor: &Self) -> Self {
+        let mut quotient = Monomial::one();
+        for (symbol, left, right) in self.aligned(divisor) {
+            quotient.push(symbol, left.saturating_sub(right));
+        }
+        quotient
+    }
+
     /// The greatest common divisor.
     pub fn gcd(&self, other: &Self) -> Self {
         let mut gcd = Monomial::one();
+        if self.is_one() || other.is_one() {
+            return gcd;
+        }
         for (symbol, left, right) in self.aligned(other) {
             gcd.push(symbol, left.min(right));
         }
@@ -134,10 +147,9 @@ impl Monomial {
 
     /// `self` with every power of `symbol` left out.
     pub fn without(&self, symbol: Symbol) -> Self {
-        let others = self.powers.iter().filter(|power| power.symbol() != symbol);
-        Monomial {
-            powers: others.copied().collect(),
-        }
+        let mut others = self.clone();
+        others.powers.retain(|power| power.symbol() != symbol);
+        others
     }
 
     /// Splits into the powers of the symbols that `chosen` picks and the others.
@@ -180,20 +192,30 @@ impl Monomial {
 
     /// Every symbol of either, in increasing order, with its exponent in both.
     fn aligned<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = (Symbol, u16, u16)> + 'a {
-        let mut left = self.powers.iter().copied().peekable();
-        let mut right = other.powers.iter().copied().peekable();
+        let (mut left, mut right) = (&*self.powers, &*other.powers);
         std::iter::from_fn(move || {
-            let symbol = match (left.peek(), right.peek()) {
+            let symbol = match (left.first(), right.first()) {
                 (Some(left), Some(right)) => left.symbol().min(right.symbol()),
                 (Some(power), None) | (None, Some(power)) => power.symbol(),
                 (None, None) => return None,
             };
-            let exponent = |powers: &mut Peekable<Copied<Iter<'a, Power>>>| {
-                let here = powers.next_if(|power| power.symbol() == symbol);
-                here.map_or(0, Power::exponent)
-            };
-            Some((symbol, exponent(&mut left), exponent(&mut right)))
+            Some((
+                symbol,
+                take_exponent(&mut left, symbol),
+                take_exponent(&mut right, symbol),
+            ))
         })
+    }
+}
+
+/// The exponent of a symbol that none comes before, whose power is taken away.
+fn take_exponent(powers: &mut &[Power], symbol: Symbol) -> u16 {
+    match powers {
+        [first, rest @ ..] if first.symbol() == symbol => {
+            *powers = rest;
+            first.exponent()
+        }
+        _ => 0,
     }
 }
 

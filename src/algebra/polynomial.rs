@@ -9,6 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use dashu_base::Signed;
+use smallvec::{SmallVec, smallvec};
 
 use super::budget::{Exhausted, check_exponent};
 use super::degrees::Degrees;
@@ -20,6 +21,9 @@ pub(super) use content::integer_gcd;
 
 /// One summand of a polynomial.
 pub(super) type Term = (Monomial, Integer);
+
+/// The summands of a polynomial; most polynomials below a line are 1, and need no allocation.
+pub(super) type Terms = SmallVec<[Term; 1]>;
 
 /// A polynomial with integer coefficients, expanded.
 ///
@@ -41,7 +45,7 @@ pub(super) type Term = (Monomial, Integer);
 #[derive(Clone, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Polynomial {
     /// By strictly decreasing monomial, without zero coefficients.
-    terms: Vec<Term>,
+    terms: Terms,
 }
 
 impl Polynomial {
@@ -57,7 +61,10 @@ impl Polynomial {
 
     /// The polynomial of degree zero with this value.
     pub fn constant(value: Integer) -> Self {
-        Polynomial::from_terms([(Monomial::one(), value)])
+        if value.is_zero() {
+            return Polynomial::zero();
+        }
+        Polynomial::from_sorted(smallvec![(Monomial::one(), value)])
     }
 
     /// The polynomial that is just this symbol.
@@ -69,7 +76,7 @@ impl Polynomial {
     ///
     /// Takes `n·log n` comparisons for `n` terms.
     pub fn from_terms(terms: impl IntoIterator<Item = (Monomial, Integer)>) -> Self {
-        let mut terms: Vec<Term> = terms.into_iter().collect();
+        let mut terms: Terms = terms.into_iter().collect();
         terms.sort_by(|(left, _), (right, _)| right.cmp(left));
         terms.dedup_by(|(monomial, coefficient), (kept, sum)| {
             let same = monomial == kept;
@@ -83,7 +90,12 @@ impl Polynomial {
     }
 
     /// Takes over terms that already are as the invariant wants them.
-    pub(super) fn from_sorted(terms: Vec<Term>) -> Self {
+    pub(super) fn from_sorted(mut terms: Terms) -> Self {
+        // What many terms were collected in may have room for many more.
+        const MOST_SPARE: usize = 64;
+        if terms.capacity() > MOST_SPARE + 2 * terms.len() {
+            terms.shrink_to_fit();
+        }
         let polynomial = Polynomial { terms };
         debug_assert!(polynomial.is_valid());
         polynomial
@@ -190,7 +202,7 @@ impl Polynomial {
         symbol: Symbol,
         coefficients: &BTreeMap<u32, Polynomial>,
     ) -> Result<Self, Exhausted> {
-        let mut terms = Vec::new();
+        let mut terms = Terms::new();
         for (&exponent, part) in coefficients {
             let power = Monomial::power(symbol, check_exponent(u64::from(exponent))?);
             terms.append(&mut part.times_monomial(&power)?.terms);
@@ -209,6 +221,16 @@ impl Polynomial {
         Polynomial::from_sorted(here.map(without).collect())
     }
 
+    /// The terms below a power of `symbol`, and the others.
+    pub(super) fn split_at(&self, symbol: Symbol, exponent: u32) -> (Self, Self) {
+        let terms = self.terms.iter().cloned();
+        let (below, above) = terms.partition(|(monomial, _)| monomial.exponent(symbol) < exponent);
+        (
+            Polynomial::from_sorted(below),
+            Polynomial::from_sorted(above),
+        )
+    }
+
     /// `factor · self`.
     pub fn scale(&self, factor: &Integer) -> Self {
         if factor.is_zero() {
@@ -223,9 +245,11 @@ impl Polynomial {
     ///
     /// [`Exhausted`] if an exponent of the product is too large.
     pub fn times_monomial(&self, monomial: &Monomial) -> Result<Self, Exhausted> {
-        let times = |(own, coefficient): &Term| Ok((own.product(monomial)?, coefficient.clone()));
-        let terms: Result<Vec<Term>, Exhausted> = self.terms.iter().map(times).collect();
-        Ok(Polynomial::from_sorted(terms?))
+        let mut terms = Terms::with_capacity(self.len());
+        for (own, coefficient) in &self.terms {
+            terms.push((own.product(monomial)?, coefficient.clone()));
+        }
+        Ok(Polynomial::from_sorted(terms))
     }
 
     /// The partial derivative with respect to `symbol`.
@@ -246,7 +270,7 @@ impl Polynomial {
 
 impl From<Monomial> for Polynomial {
     fn from(monomial: Monomial) -> Self {
-        Polynomial::from_sorted(vec![(monomial, Integer::ONE)])
+        Polynomial::from_sorted(smallvec![(monomial, Integer::ONE)])
     }
 }
 

@@ -15,7 +15,7 @@ use super::degrees::Degrees;
 use super::monomial::Monomial;
 use super::number::Integer;
 use super::packing::{Key, Layout};
-use super::polynomial::{Polynomial, Term};
+use super::polynomial::{Polynomial, Term, Terms};
 
 /// Up to so many products of terms are sorted; more are hashed, as many of
 /// them are likely to meet in the same term.
@@ -88,9 +88,11 @@ impl Polynomial {
     }
 
     fn times_term(&self, (monomial, factor): &Term) -> Result<Self, Exhausted> {
-        let times = |(own, coefficient): &Term| Ok((own.product(monomial)?, coefficient * factor));
-        let terms: Result<Vec<Term>, Exhausted> = self.terms().iter().map(times).collect();
-        Ok(Polynomial::from_sorted(terms?))
+        let mut terms = Terms::with_capacity(self.len());
+        for (own, coefficient) in self.terms() {
+            terms.push((own.product(monomial)?, coefficient * factor));
+        }
+        Ok(Polynomial::from_sorted(terms))
     }
 }
 
@@ -105,7 +107,7 @@ fn binomial(a: &Term, b: &Term, n: u32, budget: &Budget) -> Result<Polynomial, E
     let second_powers: Vec<Integer> = powers(&b.1, n);
     let mut first_powers = powers(&a.1, n);
     let mut ways = Integer::ONE;
-    let mut terms = Vec::with_capacity(n as usize + 1);
+    let mut terms = Terms::with_capacity(n as usize + 1);
     for (k, second_power) in (0..=n).zip(second_powers) {
         let monomial = a.0.raised(n - k)?.product(&b.0.raised(k)?)?;
         let first_power = first_powers.pop().unwrap_or(Integer::ONE);
@@ -167,9 +169,10 @@ fn collect<K: Key, C: Coefficient>(
     } else {
         hashed(&left, &right)?
     };
-    let terms = sums.into_iter().filter(|(_, sum)| !sum.is_zero());
-    let decode = |(key, sum): (K, C)| (key.decode(layout), sum.into_integer());
-    Ok(Polynomial::from_sorted(terms.map(decode).collect()))
+    let mut terms = Terms::with_capacity(sums.len());
+    let sums = sums.into_iter().filter(|(_, sum)| !sum.is_zero());
+    terms.extend(sums.map(|(key, sum)| (key.decode(layout), sum.into_integer())));
+    Ok(Polynomial::from_sorted(terms))
 }
 
 /// The terms of a polynomial in the given representation.

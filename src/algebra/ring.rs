@@ -2,7 +2,6 @@
 
 use super::angle::Angle;
 use super::budget::Budget;
-use super::degrees::Degrees;
 use super::error::AlgebraError;
 use super::fraction::Fraction;
 use super::generator::Generator;
@@ -144,14 +143,14 @@ impl Ring {
         least: u32,
         wanted: impl Fn(&Generator) -> bool,
     ) -> Option<Symbol> {
-        let degrees = Degrees::of(polynomial);
-        let symbols = degrees
-            .iter()
-            .filter(|(_, degree)| *degree >= least)
+        let terms = polynomial.terms().iter();
+        let symbols = terms
+            .flat_map(|(monomial, _)| monomial.factors())
+            .filter(|(_, exponent)| *exponent >= least)
             .map(|(symbol, _)| symbol);
         symbols
             .filter(|symbol| wanted(self.generator(*symbol)))
-            .last()
+            .max()
     }
 
     /// The normal form of a polynomial: at most linear in every symbol whose square is known.
@@ -172,19 +171,11 @@ impl Ring {
             let Some(square) = self.square_of(symbol) else {
                 break;
             };
-            // Horner's rule in the square, for the even and the odd powers apart.
-            let coefficients = reduced.coefficients_in(symbol);
-            let mut parts = [Polynomial::zero(), Polynomial::zero()];
-            for exponent in (0..=reduced.degree_in(symbol)).rev() {
-                let part = &mut parts[exponent as usize % 2];
-                let mut next = part.multiply(&square, &self.budget)?;
-                if let Some(coefficient) = coefficients.get(&exponent) {
-                    next = &next + coefficient;
-                }
-                *part = next;
-            }
-            let [even, odd] = parts;
-            reduced = &even + &odd.multiply(&Polynomial::symbol(symbol), &self.budget)?;
+            // Horner's rule in the square: an even power and the odd one above it at a time.
+            let degree = reduced.degree_in(symbol);
+            let (below, above) = reduced.split_at(symbol, degree - degree % 2);
+            let lowered = above.over_monomial(&Monomial::power(symbol, 2));
+            reduced = &below + &lowered.multiply(&square, &self.budget)?;
         }
         Ok(reduced)
     }

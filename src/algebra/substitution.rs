@@ -1,7 +1,7 @@
 //! Substitutions of the free symbols of a ring.
 
 use std::cmp::Reverse;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::angle::Angle;
 use super::arithmetic::{Arithmetic, Division};
@@ -100,19 +100,27 @@ impl Replacing {
     ///
     /// Those of [`Ring::substitute`].
     pub fn image(&mut self, element: &Fraction, ring: &mut Ring) -> Result<Fraction, AlgebraError> {
-        let unknown =
-            ring.unknown_constituents(element.symbols(), |symbol| self.known.contains_key(symbol));
-        for symbol in unknown {
-            ring.budget().spend(1)?;
-            let image = self.image_of_symbol(symbol, ring)?;
-            self.known.insert(symbol, image);
+        let symbols = element.symbols();
+        if !symbols.iter().all(|symbol| self.known.contains_key(symbol)) {
+            self.find(&symbols, ring)?;
         }
-        if element.symbols().iter().all(|symbol| self.stays(symbol)) {
+        if symbols.iter().all(|symbol| self.stays(symbol)) {
             return Ok(element.clone());
         }
         let numerator = self.image_of_polynomial(element.numerator(), ring)?;
         let denominator = self.image_of_polynomial(element.denominator(), ring)?;
         ring.quotient(&numerator, &denominator)
+    }
+
+    /// Finds the images of symbols, after those of all that they stand for.
+    fn find(&mut self, symbols: &BTreeSet<Symbol>, ring: &mut Ring) -> Result<(), AlgebraError> {
+        let known = |symbol: &Symbol| self.known.contains_key(symbol);
+        for symbol in ring.unknown_constituents(symbols.clone(), known) {
+            ring.budget().spend(1)?;
+            let image = self.image_of_symbol(symbol, ring)?;
+            self.known.insert(symbol, image);
+        }
+        Ok(())
     }
 
     fn stays(&self, symbol: &Symbol) -> bool {

@@ -1,5 +1,7 @@
 //! What all terms of a polynomial have in common.
 
+use std::borrow::Cow;
+
 use dashu_base::{Abs, Gcd};
 
 use super::Polynomial;
@@ -47,29 +49,33 @@ impl Polynomial {
 
     /// `self` divided by its [`content`](Polynomial::content); it keeps its sign.
     pub fn primitive_part(&self) -> Self {
-        self.over_integer(&self.content())
+        self.over_integer(&self.content()).into_owned()
     }
 
     /// `self / divisor` for an integer that divides every coefficient.
-    pub(in crate::algebra) fn over_integer(&self, divisor: &Integer) -> Self {
+    pub(in crate::algebra) fn over_integer(&self, divisor: &Integer) -> Cow<'_, Self> {
         if divisor.is_one() || divisor.is_zero() {
-            return self.clone();
+            return Cow::Borrowed(self);
         }
         debug_assert!(self.terms.iter().all(|(_, c)| (c % divisor).is_zero()));
-        self.map_terms(|(monomial, coefficient)| (monomial.clone(), coefficient / divisor))
+        Cow::Owned(
+            self.map_terms(|(monomial, coefficient)| (monomial.clone(), coefficient / divisor)),
+        )
     }
 
     /// `self / divisor` for a monomial that divides every term.
-    pub(in crate::algebra) fn over_monomial(&self, divisor: &Monomial) -> Self {
+    pub(in crate::algebra) fn over_monomial(&self, divisor: &Monomial) -> Cow<'_, Self> {
         if divisor.is_one() {
-            return self.clone();
+            return Cow::Borrowed(self);
         }
-        let quotients = self.terms.iter().filter_map(|(monomial, coefficient)| {
-            Some((monomial.quotient(divisor)?, coefficient.clone()))
-        });
-        let quotient = Polynomial::from_sorted(quotients.collect());
-        debug_assert_eq!(quotient.len(), self.len());
-        quotient
+        debug_assert!(
+            self.terms
+                .iter()
+                .all(|(m, _)| m.quotient(divisor).is_some())
+        );
+        Cow::Owned(
+            self.map_terms(|(monomial, coefficient)| (monomial.over(divisor), coefficient.clone())),
+        )
     }
 }
 

@@ -3,13 +3,13 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Neg, Sub};
 
-use super::Polynomial;
+use super::{Polynomial, Terms};
 use crate::algebra::number::Integer;
 
 impl Polynomial {
     /// Merges the terms of `self` and of `other`, changed by `sign`.
     fn merge(&self, other: &Self, sign: impl Fn(&Integer) -> Integer) -> Self {
-        let mut terms = Vec::with_capacity(self.len() + other.len());
+        let mut terms = Terms::with_capacity(self.len() + other.len());
         let (mut left, mut right) = (&*self.terms, &*other.terms);
         while let ([first, left_rest @ ..], [second, right_rest @ ..]) = (left, right) {
             match first.0.cmp(&second.0) {
@@ -30,7 +30,7 @@ impl Polynomial {
                 }
             }
         }
-        terms.extend_from_slice(left);
+        terms.extend(left.iter().cloned());
         terms.extend(
             right
                 .iter()

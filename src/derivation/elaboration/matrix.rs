@@ -173,11 +173,21 @@ impl Elaborator {
         let size = Rational::from(matrix.rows());
         let of_others = unit.power(&(&size - Rational::ONE));
         let of_numerators = of_others.product(of_right);
+        // By Cramer's rule a column of B stands in the place of that of the unknown.
+        let numerators = Matrix::from_fn(matrix.rows(), right.columns(), |unknown, column| {
+            with_unit(
+                solved.numerators.at(unknown, column),
+                &of_numerators,
+                matrix.rows(),
+                |row, place| match place == unknown {
+                    true => right.at(row, column).fits_every_unit(),
+                    false => matrix.at(row, place).fits_every_unit(),
+                },
+            )
+        });
         Ok(Some(Solution {
-            numerators: solved
-                .numerators
-                .map(|value| with_unit(value, &of_numerators)),
-            determinant: with_unit(&solved.determinant, &unit.power(&size)),
+            numerators,
+            determinant: Quantity::new(solved.determinant, unit.power(&size)),
         }))
     }
 
@@ -193,10 +203,11 @@ impl Elaborator {
         let unit = one_unit(matrix).ok_or(refused)?;
         let found = self.ring.eliminated_determinant(&values(matrix));
         let found = found.map_err(|error| algebra(error, span))?;
-        Ok(with_unit(
-            &found,
-            &unit.power(&Rational::from(matrix.rows())),
-        ))
+        let size = matrix.rows();
+        let unit = unit.power(&Rational::from(size));
+        Ok(with_unit(&found, &unit, size, |row, column| {
+            matrix.at(row, column).fits_every_unit()
+        }))
     }
 
     /// adj A of a square matrix.
@@ -224,12 +235,44 @@ fn values(matrix: &Value) -> Matrix<Fraction> {
     matrix.map(|entry| entry.value.clone())
 }
 
-/// An element as a quantity; 0 fits every unit.
-fn with_unit(value: &Fraction, unit: &Unit) -> Quantity {
+/// A determinant as a quantity: it fits every unit where each of its products has a factor that does.
+fn with_unit(
+    value: &Fraction,
+    unit: &Unit,
+    size: usize,
+    fits_every_unit: impl Fn(usize, usize) -> bool,
+) -> Quantity {
+    let has_unit =
+        !value.is_zero() || has_transversal(size, &|row, column| !fits_every_unit(row, column));
     Quantity {
         value: value.clone(),
-        unit: (!value.is_zero()).then(|| unit.clone()),
+        unit: has_unit.then(|| unit.clone()),
     }
+}
+
+/// Whether each row can have a column of its own in which its entry is as wanted.
+fn has_transversal(size: usize, wanted: &impl Fn(usize, usize) -> bool) -> bool {
+    let mut rows = vec![None; size];
+    (0..size).all(|row| finds_column(row, wanted, &mut rows, &mut vec![false; size]))
+}
+
+/// Finds a column for one more row, where the rows that have one may move to others.
+fn finds_column(
+    row: usize,
+    wanted: &impl Fn(usize, usize) -> bool,
+    rows: &mut [Option<usize>],
+    tried: &mut [bool],
+) -> bool {
+    for column in 0..rows.len() {
+        if wanted(row, column) && !std::mem::replace(&mut tried[column], true) {
+            let other = rows[column];
+            if other.is_none_or(|other| finds_column(other, wanted, rows, tried)) {
+                rows[column] = Some(row);
+                return true;
+            }
+        }
+    }
+    false
 }
 
 /// The identity matrix.
