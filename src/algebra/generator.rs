@@ -50,11 +50,11 @@ pub enum Generator {
     /// dβ = (x dy − y dx)/w².
     Direction {
         /// x
-        x: Fraction,
+        x: Box<Fraction>,
         /// y
-        y: Fraction,
+        y: Box<Fraction>,
         /// w
-        length: Fraction,
+        length: Box<Fraction>,
     },
     /// f⁽ᵏ⁾(A) of a function known only through its derivatives, with df⁽ᵏ⁾(A) = f⁽ᵏ⁺¹⁾(A) dA.
     FunctionValue {

@@ -160,7 +160,7 @@ impl Replacing {
             }
             Generator::Direction { x, y, .. } => {
                 let (image_x, image_y) = (self.image(&x, ring)?, self.image(&y, ring)?);
-                let changes = image_x != x || image_y != y;
+                let changes = image_x != *x || image_y != *y;
                 changes
                     .then(|| ring.direction(&image_x, &image_y))
                     .transpose()

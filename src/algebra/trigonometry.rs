@@ -194,7 +194,7 @@ impl Ring {
             return Ok(self.angle_element(&angle));
         }
         let length = self.square_root(&square)?;
-        let (x, y) = (x.clone(), y.clone());
+        let [x, y, length] = [x.clone(), y.clone(), length].map(Box::new);
         let symbol = self.symbol(Generator::Direction { x, y, length })?;
         Ok(self.element(symbol))
     }

@@ -1,6 +1,7 @@
 """Units and shapes of expressions, to tell whether the sides of a claim can be compared at all.
 
-A unit is a tuple of exponents of kg, m, s, A and K; that of 0 is nothing, which fits every unit."""
+A unit is a tuple of exponents of kg, m, s, A and K; the number 0 as it is written, and products with it,
+have nothing as their unit, which fits every one. Any other 0 has the unit of its expression."""
 
 from fractions import Fraction
 
@@ -210,15 +211,29 @@ class Units:
             return [first[int(exact(arguments[1])) - 1]]
         if name == "column":
             return [[line[int(exact(arguments[1])) - 1]] for line in first]
+        if name == "trace":
+            return [[total(first[i][i] for i in range(len(first)))]]
+        if name in ("det", "adjugate", "inverse", "solve"):
+            return self.by_minors(name, first, arguments[1:])
         if any(unit not in (ONE, None) for argument in arguments for line in self.of(argument) for unit in line):
             raise Unknown(f"the units of {name}")
-        if name in ("det", "trace", "hurwitz"):
+        if name == "hurwitz":
             return [[ONE]]
-        if name in ("adjugate", "inverse"):
-            return [[ONE] * len(first) for _ in first]
-        if name == "solve":
-            return [[ONE] * shape(self.of(arguments[1]))[1] for _ in first]
         raise Unknown(f"the units of {name}")
+
+    def by_minors(self, name, table, others):
+        """The units of sums of products of entries."""
+        if len(table) > 6 or len({len(line) for line in table} | {len(table)}) != 1:
+            raise Unknown(f"the units of {name}")
+        if name == "det":
+            return [[determinant(table)]]
+        found = adjugate(table)
+        if name == "adjugate":
+            return found
+        if name == "solve":
+            found = product(found, self.of(others[0]))
+        below = raised(determinant(table), -1)
+        return [[times(unit, below) for unit in line] for line in found]
 
     def derivative(self, first, by):
         """The units of partial derivatives."""
@@ -238,6 +253,33 @@ class Units:
         except Mistake:
             return False
         return True
+
+
+def total(units):
+    """The unit of a sum."""
+    found = None
+    for unit in units:
+        found = same(found, unit)
+    return found
+
+
+def without(table, row, column):
+    """A table without a row and a column."""
+    return [line[:column] + line[column + 1:] for i, line in enumerate(table) if i != row]
+
+
+def determinant(table):
+    """The unit of a determinant: that of each of its products that has one."""
+    if not table:
+        return ONE
+    terms = enumerate(table[0])
+    return total(times(unit, determinant(without(table, 0, j))) for j, unit in terms if unit is not None)
+
+
+def adjugate(table):
+    """The units of an adjugate matrix."""
+    places = range(len(table))
+    return [[determinant(without(table, j, i)) for j in places] for i in places]
 
 
 def product(a, b):

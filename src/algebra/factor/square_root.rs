@@ -61,7 +61,9 @@ impl Polynomial {
             rest = &rest - &(&twice_root + &term).multiply(&term, budget)?;
             twice_root = &twice_root + &term.scale(&Integer::from(2));
         }
-        Ok(Some(twice_root.over_integer(&Integer::from(2)).into_owned()))
+        Ok(Some(
+            twice_root.over_integer(&Integer::from(2)).into_owned(),
+        ))
     }
 }
 
