@@ -29,31 +29,6 @@ impl Differential {
 }
 
 impl Ring {
-    /// What stands under the roots of an element that a differential moves: dw = dp/(2w) asks that it is
-    /// not 0.
-    ///
-    /// Complexity: that of [`Ring::differentiate`] for each radicand.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Ring::differentiate`].
-    pub fn moving_radicands(
-        &mut self,
-        element: &Fraction,
-        differential: &Differential,
-    ) -> Result<Vec<Polynomial>, AlgebraError> {
-        let constituents = self.constituents(element);
-        let (mut changes, mut moving) = (Changes::by(differential, self), Vec::new());
-        for symbol in constituents {
-            if let Generator::Root { radicand } = changes.ring.generator(symbol).clone()
-                && !changes.of(&radicand.clone().into())?.is_zero()
-            {
-                moving.push(radicand);
-            }
-        }
-        Ok(moving)
-    }
-
     /// The image of an element under a differential.
     ///
     /// d(N/D) = dN/D − (N/D)·(dD/D) with dP = Σ_g ∂P/∂g · dg over the symbols g of P, and dg the image
