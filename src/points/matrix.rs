@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::Failure;
 use super::graph::{Made, NodeId};
 use super::sheet::Sheet;
+use super::{Failure, NoValue};
 
 /// Rows of nodes, all of one length.
 pub type Table = Vec<Vec<NodeId>>;
@@ -52,6 +52,15 @@ impl Sheet {
         table.iter().map(row).collect()
     }
 
+    /// Parts of a matrix, which have values where all of its entries have one.
+    pub fn of_whole(&mut self, parts: &Table, whole: &Table) -> Result<Table, Failure> {
+        let mut needed = self.graph.integer(0)?;
+        for entry in whole.iter().flatten() {
+            needed = self.graph.guarded(needed, *entry)?;
+        }
+        self.each(parts, |sheet, part| sheet.graph.guarded(part, needed))
+    }
+
     /// A·B, or a multiple of one of them where the other has one entry.
     pub fn table_product(&mut self, a: &Table, b: &Table) -> Result<Table, Failure> {
         if is_single(a) {
@@ -81,7 +90,7 @@ impl Sheet {
         if table.len() > MOST_ROWS_BY_MINORS {
             let reduced = self.reduced(table, table.len())?;
             return match reduced.pivots.len() == table.len() {
-                true => Ok(reduced.determinant),
+                true => self.graph.by_detour(reduced.determinant),
                 false => self.graph.integer(0),
             };
         }
@@ -144,7 +153,7 @@ impl Sheet {
                 entries.push(minor);
             }
         }
-        Ok(rows)
+        self.of_whole(&rows, table)
     }
 
     /// A⁻¹B
@@ -152,7 +161,7 @@ impl Sheet {
         if a.len() <= MOST_ROWS_BY_MINORS {
             let determinant = self.determinant(a)?;
             if self.graph.is_zero(determinant) {
-                return Err(Failure::Singular);
+                return Err(NoValue::Singular.into());
             }
             let adjugate = self.adjugate(a)?;
             let product = self.table_product(&adjugate, b)?;
@@ -167,13 +176,11 @@ impl Sheet {
             .collect();
         let reduced = self.reduced(&both, a.len())?;
         if reduced.pivots.len() < a.len() {
-            return Err(Failure::Singular);
+            return Err(NoValue::Singular.into());
         }
-        Ok(reduced
-            .rows
-            .iter()
-            .map(|row| row[a.len()..].to_vec())
-            .collect())
+        let right = reduced.rows.iter().map(|row| row[a.len()..].to_vec());
+        let right: Table = right.collect();
+        self.each(&right, |sheet, entry| sheet.graph.by_detour(entry))
     }
 
     /// Columns that span {x : A·x = 0}, each with a 1 at a free place and zeros at the others.
@@ -192,7 +199,8 @@ impl Sheet {
                 });
             }
         }
-        Ok(kernel)
+        let kernel = self.each(&kernel, |sheet, entry| sheet.graph.by_detour(entry))?;
+        self.of_whole(&kernel, table)
     }
 
     /// The reduced form by Gauss and Jordan, with pivots in the first `width` columns that are not 0

@@ -26,7 +26,7 @@ mod sheet;
 mod substitution;
 pub mod unfolding;
 
-pub use failure::Failure;
+pub use failure::{Failure, NoValue, Unknown};
 pub use matrix::Table;
-pub use search::{Assumed, Search, measured};
-pub use sheet::Sheet;
+pub use search::{Assumed, DEGENERATE_PLACES, Purpose, Search, measured};
+pub use sheet::{Salt, Sheet};

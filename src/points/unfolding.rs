@@ -10,12 +10,12 @@ use crate::algebra::number::Rational;
 use crate::algebra::sign::Signs;
 use crate::derivation::syntax::{Expression, Name, Node as Written};
 
-use super::Failure;
 use super::derivative::By;
 use super::graph::{FunctionId, Kind, Made, Node, NodeId, Variable};
 use super::matrix::{Table, is_single};
 use super::meaning::{Meaning, Meanings};
 use super::sheet::Sheet;
+use super::{Failure, Unknown};
 
 /// How deep definitions and calls may be nested.
 const DEEPEST_NESTING: usize = 400;
@@ -49,6 +49,13 @@ impl<'a> Unfolding<'a> {
         }
     }
 
+    /// Forgets the nodes from a place on, and what was found with them.
+    pub fn forget(&mut self, size: usize) {
+        self.known.clear();
+        self.references.clear();
+        self.sheet.forget(size);
+    }
+
     /// An expression, entry by entry.
     ///
     /// # Errors
@@ -56,7 +63,7 @@ impl<'a> Unfolding<'a> {
     /// [`Failure`] where it has no value anywhere, or cannot be followed.
     pub fn table(&mut self, expression: &'a Expression) -> Result<Table, Failure> {
         if self.nesting >= DEEPEST_NESTING {
-            return Err(Failure::TooDeep);
+            return Err(Unknown::TooDeep.into());
         }
         self.nesting += 1;
         let table = self.unfolded(expression);
@@ -73,7 +80,7 @@ impl<'a> Unfolding<'a> {
         let table = self.table(expression)?;
         match is_single(&table) {
             true => Ok(table[0][0]),
-            false => Err(Failure::Unsupported),
+            false => Err(Unknown::Unsupported.into()),
         }
     }
 
@@ -81,7 +88,7 @@ impl<'a> Unfolding<'a> {
     ///
     /// # Errors
     ///
-    /// [`Failure::NoExpansion`] where there are none.
+    /// [`Unknown::NoExpansion`] where there are none.
     pub fn parts(
         &mut self,
         expression: &'a Expression,
@@ -97,7 +104,7 @@ impl<'a> Unfolding<'a> {
     ///
     /// # Errors
     ///
-    /// [`Failure::NoPolynomial`] where it is not found.
+    /// [`Unknown::NoPolynomial`] where it is not found.
     pub fn coefficient(&mut self, polynomial: &'a Expression, variable: &str, power: u32) -> Made {
         let node = self.scalar(polynomial)?;
         let variable = self.small(variable)?;
@@ -151,7 +158,7 @@ impl<'a> Unfolding<'a> {
                 self.known.insert(name, table.clone());
                 table
             }
-            _ => Err(Failure::Unsupported),
+            _ => Err(Unknown::Unsupported.into()),
         }
     }
 
@@ -169,7 +176,7 @@ impl<'a> Unfolding<'a> {
     /// A declared function and where its bare name is taken.
     fn declared_function(&mut self, name: &str) -> Result<(FunctionId, NodeId), Failure> {
         let Some((name, Meaning::Function(reference))) = self.meanings.get_key_value(name) else {
-            return Err(Failure::Unsupported);
+            return Err(Unknown::Unsupported.into());
         };
         let place = match self.references.get(name) {
             Some(known) => *known,
@@ -220,7 +227,7 @@ impl<'a> Unfolding<'a> {
                 self.frames.pop();
                 table
             }
-            (Some(_), _) => Err(Failure::Unsupported),
+            (Some(_), _) => Err(Unknown::Unsupported.into()),
             (None, _) => self.built_in(&function.ascii, arguments),
         }
     }
@@ -255,16 +262,11 @@ impl<'a> Unfolding<'a> {
             [row, column] => (row, column),
             [place] if table.len() == 1 => (0, place),
             [place] => (place, 0),
-            _ => return Err(Failure::Unsupported),
+            _ => return Err(Unknown::Unsupported.into()),
         };
         let entry = table.get(row).and_then(|line| line.get(column));
-        let entry = *entry.ok_or(Failure::Unsupported)?;
-        // A matrix has a value where all of its entries have one.
-        let mut guarded = entry;
-        for other in table.iter().flatten() {
-            guarded = self.sheet.graph.guarded(guarded, *other)?;
-        }
-        Ok(single(guarded))
+        let entry = *entry.ok_or(Unknown::Unsupported)?;
+        self.sheet.of_whole(&single(entry), &table)
     }
 
     /// A small natural number.
@@ -278,13 +280,13 @@ impl<'a> Unfolding<'a> {
         let whole = whole.and_then(|whole| u32::try_from(whole).ok());
         whole
             .filter(|n| *n <= LARGEST_NUMBER)
-            .ok_or(Failure::Unsupported)
+            .ok_or(Unknown::Unsupported.into())
     }
 
     /// The number that a node is everywhere.
     fn constant(&mut self, node: NodeId) -> Result<Rational, Failure> {
-        let value = self.sheet.sample(node).ok_or(Failure::UnknownIdentity)?;
-        let real = value.as_real().ok_or(Failure::NotReal)?;
+        let value = self.sheet.sample(node).ok_or(Unknown::Identity)?;
+        let real = value.as_real().ok_or(Unknown::Unsupported)?;
         let number = match real.as_rational() {
             Some(number) => number.clone(),
             None => Rational::from(real.enclosure().middle().round()),
@@ -292,7 +294,7 @@ impl<'a> Unfolding<'a> {
         let candidate = self.sheet.graph.number(number.clone())?;
         match self.sheet.is_same(node, candidate)? {
             true => Ok(number),
-            false => Err(Failure::Unsupported),
+            false => Err(Unknown::Unsupported.into()),
         }
     }
 
@@ -306,7 +308,7 @@ impl<'a> Unfolding<'a> {
                 argument,
                 ..
             } => Ok(By::Function(*function, *order, *argument)),
-            _ => Err(Failure::NoVariable),
+            _ => Err(Unknown::NoVariable.into()),
         }
     }
 
@@ -321,7 +323,7 @@ impl<'a> Unfolding<'a> {
                     .function(function, 0, reference, reference)?
             }
             Some((_, Meaning::Definition(expression))) => self.scalar(expression)?,
-            _ => return Err(Failure::NoVariable),
+            _ => return Err(Unknown::NoVariable.into()),
         };
         self.variable_of(node)
     }

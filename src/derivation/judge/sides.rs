@@ -9,7 +9,7 @@ use crate::points::evaluation::Evaluation;
 use crate::points::graph::{Graph, NodeId};
 use crate::points::number::Number;
 use crate::points::unfolding::Unfolding;
-use crate::points::{Failure, Sheet, Table};
+use crate::points::{Failure, Sheet, Table, Unknown};
 
 /// How many binary digits of two sides must agree.
 pub const DIGITS: i64 = 64;
@@ -19,8 +19,8 @@ pub const DIGITS: i64 = 64;
 pub enum Agreement {
     /// They stand in the relation, as far as is known.
     Agrees,
-    /// They certainly do not.
-    Differs,
+    /// They certainly do not, or one of them has no value.
+    Contradicts,
     /// A condition is not met, or not known to be.
     OutsideOfConditions,
 }
@@ -93,57 +93,66 @@ impl Sides {
     /// Whether the sides are seen to be equal without a look at assignments, up to the order of an
     /// approximation.
     pub fn are_surely_same(&self, sheet: &mut Sheet) -> bool {
-        let mut pairs = self
-            .pairs
-            .iter()
-            .take(self.beyond.unwrap_or(self.pairs.len()));
+        let mut pairs = self.compared().iter();
         pairs.all(|(left, right)| {
             let mut entries = left.iter().flatten().zip(right.iter().flatten());
             entries.all(|(a, b)| sheet.is_surely_same(*a, *b))
         })
     }
 
+    /// Whether both sides have values under every assignment.
+    pub fn are_total(&self, graph: &Graph) -> bool {
+        let mut pairs = self.compared().iter();
+        pairs.all(|(left, right)| {
+            let mut entries = left.iter().chain(right).flatten();
+            entries.all(|entry| graph.is_total(*entry))
+        })
+    }
+
+    /// The sides, or their parts up to the order of an approximation.
+    fn compared(&self) -> &[(Table, Table)] {
+        &self.pairs[..self.beyond.unwrap_or(self.pairs.len())]
+    }
+
     /// Whether the sides stand in their relation at an assignment, up to the order of an approximation.
+    ///
+    /// # Errors
+    ///
+    /// [`Unknown`] where a side is not known, or not well enough.
     pub fn at(
         &self,
         evaluation: &mut Evaluation,
         graph: &Graph,
         comparison: Comparison,
-    ) -> Result<Agreement, Failure> {
-        if !self.meets_conditions(evaluation, graph)? {
+    ) -> Result<Agreement, Unknown> {
+        if !self.meets_conditions(evaluation, graph) {
             return Ok(Agreement::OutsideOfConditions);
         }
-        for degree in 0..self.beyond.unwrap_or(self.pairs.len()) {
-            if self
-                .difference(degree, evaluation, graph, comparison, true)?
-                .is_some()
-            {
-                return Ok(Agreement::Differs);
+        for degree in 0..self.compared().len() {
+            match self.difference(degree, evaluation, graph, comparison, true) {
+                Ok(None) => {}
+                Ok(Some(_)) | Err(Failure::NoValue(_)) => return Ok(Agreement::Contradicts),
+                Err(Failure::Unknown(why)) => return Err(why),
             }
         }
         Ok(Agreement::Agrees)
     }
 
     /// Whether all conditions are known to be met.
-    pub fn meets_conditions(
-        &self,
-        evaluation: &mut Evaluation,
-        graph: &Graph,
-    ) -> Result<bool, Failure> {
-        for (requirement, node) in &self.conditions {
-            let value = evaluation.value(graph, *node)?;
-            let is_met = match requirement {
+    pub fn meets_conditions(&self, evaluation: &mut Evaluation, graph: &Graph) -> bool {
+        let mut conditions = self.conditions.iter();
+        conditions.all(|(requirement, node)| {
+            let Ok(value) = evaluation.value(graph, *node) else {
+                return false;
+            };
+            match requirement {
                 Requirement::NonZero => value.differs_from_zero(),
                 Requirement::Positive => {
                     let sign = value.as_real().and_then(|real| real.sign());
                     sign == Some(Ordering::Greater)
                 }
-            };
-            if !is_met {
-                return Ok(false);
             }
-        }
-        Ok(true)
+        })
     }
 
     /// The first entry at which the sides certainly do not stand in the relation.
@@ -187,16 +196,18 @@ fn stand(
     if comparison == Comparison::Equal {
         let is_narrow = || a.is_narrow(a, DIGITS) && b.is_narrow(b, DIGITS);
         return match a.may_be(b) {
-            true if must_be_known && !is_narrow() => Err(Failure::UnknownSign),
+            true if must_be_known && !is_narrow() => Err(Unknown::Sign.into()),
             may_be => Ok(may_be),
         };
     }
-    if a.as_real().is_none() || b.as_real().is_none() {
-        return Err(Failure::NotReal);
+    for side in [a, b] {
+        if side.as_real().is_none() {
+            return Err(side.not_real());
+        }
     }
     match evaluation.compared(a, b) {
         Some(order) => Ok(comparison.holds(order)),
-        None => Err(Failure::UnknownSign),
+        None => Err(Unknown::Sign.into()),
     }
 }
 

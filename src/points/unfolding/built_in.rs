@@ -1,9 +1,9 @@
 //! The built-in functions of documents.
 
 use crate::derivation::syntax::{Expression, Node as Written};
-use crate::points::Failure;
 use crate::points::graph::Made;
 use crate::points::matrix::{Table, transpose};
+use crate::points::{Failure, Unknown};
 
 use super::{Unfolding, single};
 
@@ -108,7 +108,8 @@ impl<'a> Unfolding<'a> {
                 let matrix = self.table(matrix)?;
                 let diagonal = matrix.iter().enumerate();
                 let diagonal: Vec<_> = diagonal.map(|(place, row)| row[place]).collect();
-                Ok(single(self.sheet.total(diagonal)?))
+                let trace = single(self.sheet.total(diagonal)?);
+                self.sheet.of_whole(&trace, &matrix)
             }
             ("diagonal", entries) => {
                 let zero = self.sheet.graph.integer(0)?;
@@ -136,7 +137,7 @@ impl<'a> Unfolding<'a> {
     /// A part of a matrix.
     fn part(&mut self, function: &str, arguments: &'a [Expression]) -> Result<Table, Failure> {
         let [matrix, first, others @ ..] = arguments else {
-            return Err(Failure::Unsupported);
+            return Err(Unknown::Unsupported.into());
         };
         let matrix = self.table(matrix)?;
         let first = self.places(first)?;
@@ -145,7 +146,7 @@ impl<'a> Unfolding<'a> {
             ("row", []) => (first, (1..=width).collect()),
             ("column", []) => ((1..=height).collect(), first),
             ("submatrix", [columns]) => (first, self.places(columns)?),
-            _ => return Err(Failure::Unsupported),
+            _ => return Err(Unknown::Unsupported.into()),
         };
         let entry = |row: usize, column: usize| {
             let line = matrix.get(row.checked_sub(1)?)?;
@@ -153,7 +154,8 @@ impl<'a> Unfolding<'a> {
         };
         let row = |row: &usize| columns.iter().map(|column| entry(*row, *column)).collect();
         let part: Option<Table> = rows.iter().map(row).collect();
-        part.ok_or(Failure::Unsupported)
+        self.sheet
+            .of_whole(&part.ok_or(Unknown::Unsupported)?, &matrix)
     }
 
     fn places(&mut self, list: &'a Expression) -> Result<Vec<usize>, Failure> {

@@ -2,10 +2,13 @@
 
 use crate::algebra::number::Rational;
 use crate::derivation::syntax::{BinaryOperator, Expression};
-use crate::points::Failure;
 use crate::points::matrix::{Table, is_single};
+use crate::points::{Failure, Unknown};
 
 use super::{Unfolding, single};
+
+/// The largest power of a matrix.
+const LARGEST_POWER: i64 = 64;
 
 impl<'a> Unfolding<'a> {
     /// Two expressions with an operator between them.
@@ -29,7 +32,7 @@ impl<'a> Unfolding<'a> {
                 };
                 self.power(&a, &exponent)
             }
-            BinaryOperator::Divide | BinaryOperator::Power => Err(Failure::Unsupported),
+            BinaryOperator::Divide | BinaryOperator::Power => Err(Unknown::Unsupported.into()),
         }
     }
 
@@ -58,14 +61,17 @@ impl<'a> Unfolding<'a> {
             if let Some(exponent) = whole(exponent) {
                 return Ok(single(self.sheet.graph.power(base, exponent)?));
             }
-            let halves = whole(&(exponent + exponent)).ok_or(Failure::Unsupported)?;
+            let halves = whole(&(exponent + exponent)).ok_or(Unknown::Unsupported)?;
             let root = self.sheet.graph.root(base)?;
             return Ok(single(self.sheet.graph.power(root, halves)?));
         }
-        let count = whole(exponent).ok_or(Failure::Unsupported)?;
+        let count = whole(exponent).ok_or(Unknown::Unsupported)?;
         let mut power = self.sheet.identity(base.len())?;
-        if count < 0 {
-            return self.sheet.solve(base, &power);
+        match count {
+            -1 => return self.sheet.solve(base, &power),
+            0 => return self.sheet.of_whole(&power, base),
+            1..=LARGEST_POWER => {}
+            _ => return Err(Unknown::Unsupported.into()),
         }
         for _ in 0..count {
             power = self.sheet.table_product(&power, base)?;

@@ -1,11 +1,11 @@
 //! Replacements, and what is differentiated or expanded by.
 
 use crate::derivation::syntax::{Expression, Place};
-use crate::points::Failure;
 use crate::points::derivative::{By, Derivative};
 use crate::points::matrix::Table;
 use crate::points::meaning::Meaning;
 use crate::points::substitution::Substitution;
+use crate::points::{Failure, Unknown};
 
 use super::Unfolding;
 
@@ -24,7 +24,7 @@ impl<'a> Unfolding<'a> {
             Place::Replacements(replacements) => (replacements.as_slice(), false),
             Place::Named(name) => match self.meanings.get(name.value.ascii.as_str()) {
                 Some(Meaning::Substitution(replacements)) => (*replacements, true),
-                _ => return Err(Failure::Unsupported),
+                _ => return Err(Unknown::Unsupported.into()),
             },
         };
         if is_named {
@@ -51,7 +51,7 @@ impl<'a> Unfolding<'a> {
                             .functions
                             .push(((function, order, place), value));
                     }
-                    By::Time => return Err(Failure::NoVariable),
+                    By::Time => return Err(Unknown::NoVariable.into()),
                 }
                 Ok(())
             });
@@ -102,7 +102,7 @@ impl<'a> Unfolding<'a> {
             match *by {
                 By::Variable(variable) => variables.push(variable),
                 By::Function(function, k, place) => functions.push((function, k, place)),
-                By::Time => return Err(Failure::NoVariable),
+                By::Time => return Err(Unknown::NoVariable.into()),
             }
         }
         let mut parts = vec![Table::new(); order as usize + 1];
@@ -111,7 +111,7 @@ impl<'a> Unfolding<'a> {
             for entry in row {
                 let terms = self.sheet.parts(*entry, &variables, &functions, order)?;
                 for (part, term) in parts.iter_mut().zip(terms) {
-                    part.last_mut().ok_or(Failure::Unsupported)?.push(term);
+                    part.last_mut().ok_or(Unknown::Unsupported)?.push(term);
                 }
             }
         }
