@@ -51,6 +51,8 @@ pub enum Unknown {
     NoVariable,
     /// Whether two expressions are equal everywhere could not be found out.
     Identity,
+    /// The shapes of matrices do not fit.
+    Shape,
     /// Something in the expression is not known to this route.
     Unsupported,
 }
@@ -114,6 +116,7 @@ impl fmt::Display for Unknown {
                 "something other than a variable is replaced or differentiated by"
             }
             Unknown::Identity => "whether two arguments are equal cannot be told",
+            Unknown::Shape => "the shapes of matrices do not fit",
             Unknown::Unsupported => "it cannot be evaluated at a point",
         })
     }

@@ -19,14 +19,16 @@ pub mod graph;
 mod matrix;
 pub mod meaning;
 pub mod number;
+mod polynomial;
 pub mod real;
 mod search;
 mod series;
 mod sheet;
 mod substitution;
+pub mod table;
 pub mod unfolding;
 
 pub use failure::{Failure, NoValue, Unknown};
-pub use matrix::Table;
 pub use search::{Assumed, DEGENERATE_PLACES, Purpose, Search, measured};
 pub use sheet::{Salt, Sheet};
+pub use table::Table;

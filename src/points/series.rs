@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashMap;
 
 use crate::algebra::number::Rational;
 
@@ -286,7 +286,7 @@ impl Expansion {
     }
 
     /// The series from its first term on that is not 0 everywhere; nothing where it is 0.
-    fn leading(&self, a: &Series, sheet: &mut Sheet) -> Result<Option<Series>, Failure> {
+    pub fn leading(&self, a: &Series, sheet: &mut Sheet) -> Result<Option<Series>, Failure> {
         let mut zeros = 0;
         while zeros < a.terms.len() && sheet.vanishes(a.terms[zeros])? {
             zeros += 1;
@@ -509,9 +509,6 @@ impl Expansion {
     }
 }
 
-/// The most terms of a polynomial.
-const MOST_TERMS: usize = 40;
-
 impl Sheet {
     /// The terms of total degree 0, …, `order` of a node in small variables and values of functions.
     ///
@@ -538,155 +535,5 @@ impl Sheet {
             parts.push(self.graph.guarded(part, needed)?);
         }
         Ok(parts)
-    }
-
-    /// The coefficient of a power of a variable, as far as steps find it that it does not ask for.
-    ///
-    /// # Errors
-    ///
-    /// [`Unknown::NoPolynomial`] where it is not found.
-    pub fn coefficient(&mut self, node: NodeId, by: By, power: u32) -> Made {
-        let found = match self.is_written_polynomial(node, by) {
-            true => self.rising_coefficient(node, by, power),
-            false => self.falling_coefficients(node, by).map(|falling| {
-                let place = falling.len().checked_sub(power as usize + 1);
-                place.map(|place| falling[place])
-            }),
-        };
-        match found.map_err(Failure::of_detour)? {
-            Some(found) => self.graph.by_detour(found),
-            None => self.graph.integer(0),
-        }
-    }
-
-    /// The coefficient of a power in what is written as a polynomial; nothing where it is 0.
-    fn rising_coefficient(
-        &mut self,
-        node: NodeId,
-        by: By,
-        power: u32,
-    ) -> Result<Option<NodeId>, Failure> {
-        let mut expansion = Expansion::by_powers(by, 1, power as usize + 1, self)?;
-        expansion.of(node, self)?.term(i64::from(power))
-    }
-
-    /// Whether a node is made of a variable by sums, products and powers, so that it is a polynomial in it.
-    fn is_written_polynomial(&self, root: NodeId, by: By) -> bool {
-        let mut moving = FxHashSet::default();
-        for id in self.graph.below(&[root]) {
-            let node = self.graph.node(id);
-            let mut moves = false;
-            node.visit(&mut |part| moves |= moving.contains(&part));
-            let is_plain = match (node, by) {
-                (Node::Variable(variable), By::Variable(own)) => {
-                    moves = *variable == own;
-                    true
-                }
-                (Node::Cosine(variable) | Node::Sine(variable), By::Variable(own)) => {
-                    *variable != own
-                }
-                (
-                    Node::Function {
-                        function,
-                        order,
-                        argument,
-                        ..
-                    },
-                    By::Function(own, k, place),
-                ) if (*function, *order) == (own, k) => {
-                    let is_plain = !moves && *argument == place;
-                    moves = true;
-                    is_plain
-                }
-                (Node::Sum(..) | Node::Product(..) | Node::Power(..), _) => true,
-                (Node::Guarded { .. } | Node::Detour(_), _) => true,
-                (Node::Quotient(_, below), _) => !moving.contains(below),
-                _ => !moves,
-            };
-            if !is_plain {
-                return false;
-            }
-            if moves {
-                moving.insert(id);
-            }
-        }
-        true
-    }
-
-    /// The coefficients of a polynomial in a variable, that of the highest power first.
-    ///
-    /// # Errors
-    ///
-    /// [`Unknown::NoPolynomial`] where it is not seen to be one, or its degree is too high.
-    pub fn falling_coefficients(&mut self, node: NodeId, by: By) -> Result<Vec<NodeId>, Failure> {
-        let mut length = 8;
-        let coefficients = loop {
-            match self.falling_terms(node, by, length) {
-                Err(Failure::Unknown(Unknown::NoExpansion)) if length < MOST_TERMS => length *= 2,
-                Err(Failure::Unknown(Unknown::NoExpansion)) => {
-                    return Err(Unknown::NoPolynomial.into());
-                }
-                found => break found.map_err(Failure::of_detour)?,
-            }
-        };
-        if !self.is_written_polynomial(node, by) {
-            let variable = self.occurrence(by, node)?;
-            let polynomial = self.polynomial(&coefficients, variable)?;
-            if !self.is_same(polynomial, node)? {
-                return Err(Unknown::NoPolynomial.into());
-            }
-        }
-        let found = coefficients.into_iter();
-        found.map(|one| self.graph.by_detour(one)).collect()
-    }
-
-    /// The terms of a node by falling powers of a variable, from its degree to that of the power 0.
-    fn falling_terms(
-        &mut self,
-        node: NodeId,
-        by: By,
-        length: usize,
-    ) -> Result<Vec<NodeId>, Failure> {
-        let mut expansion = Expansion::by_powers(by, -1, length, self)?;
-        let series = expansion.of(node, self)?;
-        let Some(series) = expansion.leading(&series, self)? else {
-            return Ok(Vec::new());
-        };
-        let zero = self.graph.integer(0)?;
-        let powers = series.first..=0;
-        powers
-            .map(|power| Ok(series.term(power)?.unwrap_or(zero)))
-            .collect()
-    }
-
-    /// The node of a variable, as it occurs in another one.
-    fn occurrence(&mut self, by: By, node: NodeId) -> Made {
-        match by {
-            By::Variable(id) => self.graph.free(id),
-            By::Function(own, k, place) => {
-                let mut nodes = self.graph.below(&[node]).into_iter();
-                let found = nodes.find(|id| match self.graph.node(*id) {
-                    Node::Function {
-                        function,
-                        order,
-                        argument,
-                        ..
-                    } => (*function, *order, *argument) == (own, k, place),
-                    _ => false,
-                });
-                found.ok_or(Unknown::NoPolynomial.into())
-            }
-            By::Time => Err(Unknown::NoVariable.into()),
-        }
-    }
-
-    /// Σ cₖ vⁿ⁻ᵏ
-    fn polynomial(&mut self, falling: &[NodeId], variable: NodeId) -> Made {
-        let mut sum = self.graph.integer(0)?;
-        for coefficient in falling {
-            let raised = self.graph.product(sum, variable)?;
-            sum = self.graph.sum(raised, *coefficient)?;
-        }
-        Ok(sum)
     }
 }

@@ -12,9 +12,9 @@ use crate::derivation::syntax::{Expression, Name, Node as Written};
 
 use super::derivative::By;
 use super::graph::{FunctionId, Kind, Made, Node, NodeId, Variable};
-use super::matrix::{Table, is_single};
 use super::meaning::{Meaning, Meanings};
 use super::sheet::Sheet;
+use super::table::Table;
 use super::{Failure, Unknown};
 
 /// How deep definitions and calls may be nested.
@@ -78,10 +78,7 @@ impl<'a> Unfolding<'a> {
     /// Those of [`Unfolding::table`].
     pub fn scalar(&mut self, expression: &'a Expression) -> Made {
         let table = self.table(expression)?;
-        match is_single(&table) {
-            true => Ok(table[0][0]),
-            false => Err(Unknown::Unsupported.into()),
-        }
+        table.as_single().ok_or(Unknown::Shape.into())
     }
 
     /// The parts of degree 0, …, `order` of an expression in small quantities, entry by entry.
@@ -113,9 +110,11 @@ impl<'a> Unfolding<'a> {
 
     fn unfolded(&mut self, expression: &'a Expression) -> Result<Table, Failure> {
         match &expression.node {
-            Written::Number(number) => Ok(single(self.sheet.graph.number(number.clone())?)),
+            Written::Number(number) => Ok(Table::single(self.sheet.graph.number(number.clone())?)),
             Written::Name(name) => self.named(name),
-            Written::Derivative(name, order) => Ok(single(self.bare_function(name, *order)?)),
+            Written::Derivative(name, order) => {
+                Ok(Table::single(self.bare_function(name, *order)?))
+            }
             Written::Negative(inner) => {
                 let table = self.table(inner)?;
                 self.sheet
@@ -140,12 +139,16 @@ impl<'a> Unfolding<'a> {
             return Ok(argument.clone());
         }
         match self.meanings.get(name).copied() {
-            Some(Meaning::Variable(kind, signs)) => Ok(single(self.variable(name, kind, signs)?)),
-            Some(Meaning::ImaginaryUnit) => Ok(single(self.sheet.graph.imaginary_unit()?)),
+            Some(Meaning::Variable(kind, signs)) => {
+                Ok(Table::single(self.variable(name, kind, signs)?))
+            }
+            Some(Meaning::ImaginaryUnit) => Ok(Table::single(self.sheet.graph.imaginary_unit()?)),
             Some(Meaning::Function(_)) => {
                 let (function, reference) = self.declared_function(name)?;
                 let graph = &mut self.sheet.graph;
-                Ok(single(graph.function(function, 0, reference, reference)?))
+                Ok(Table::single(
+                    graph.function(function, 0, reference, reference)?,
+                ))
             }
             Some(Meaning::Definition(expression)) => {
                 if let Some(known) = self.known.get(name) {
@@ -213,7 +216,7 @@ impl<'a> Unfolding<'a> {
                 let argument = self.scalar(argument)?;
                 let (function, reference) = self.declared_function(&function.ascii)?;
                 let graph = &mut self.sheet.graph;
-                Ok(single(
+                Ok(Table::single(
                     graph.function(function, order, argument, reference)?,
                 ))
             }
@@ -233,19 +236,13 @@ impl<'a> Unfolding<'a> {
     }
 
     fn blocks(&mut self, rows: &'a [Vec<Expression>]) -> Result<Table, Failure> {
-        let mut table = Table::new();
+        let mut bands = Vec::new();
         for row in rows {
-            let mut band = Table::new();
-            for block in row {
-                let block = self.table(block)?;
-                band.resize(band.len().max(block.len()), Vec::new());
-                for (line, more) in band.iter_mut().zip(block) {
-                    line.extend(more);
-                }
-            }
-            table.extend(band);
+            let blocks = row.iter().map(|block| self.table(block)?.transposed());
+            let blocks: Vec<Table> = blocks.collect::<Result<_, _>>()?;
+            bands.push(Table::stacked(&blocks)?.transposed()?);
         }
-        Ok(table)
+        Table::stacked(&bands)
     }
 
     fn entry(
@@ -256,17 +253,17 @@ impl<'a> Unfolding<'a> {
         let table = self.table(matrix)?;
         let mut places = Vec::new();
         for index in indices {
-            places.push((self.natural(index)? as usize).saturating_sub(1));
+            let place = (self.natural(index)? as usize).checked_sub(1);
+            places.push(place.ok_or(Unknown::Shape)?);
         }
         let (row, column) = match places[..] {
             [row, column] => (row, column),
-            [place] if table.len() == 1 => (0, place),
+            [place] if table.shape().0 == 1 => (0, place),
             [place] => (place, 0),
             _ => return Err(Unknown::Unsupported.into()),
         };
-        let entry = table.get(row).and_then(|line| line.get(column));
-        let entry = *entry.ok_or(Unknown::Unsupported)?;
-        self.sheet.of_whole(&single(entry), &table)
+        let entry = table.get(row, column)?;
+        self.sheet.of_whole(&Table::single(entry), &table)
     }
 
     /// A small natural number.
@@ -327,9 +324,4 @@ impl<'a> Unfolding<'a> {
         };
         self.variable_of(node)
     }
-}
-
-/// A table with one entry.
-fn single(node: NodeId) -> Table {
-    vec![vec![node]]
 }

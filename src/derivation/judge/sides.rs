@@ -53,7 +53,7 @@ impl Sides {
         // What is equal to every order is compared as it is.
         let order = finding.assertion.order.as_ref();
         let order = order.filter(|_| finding.outcome != Outcome::True);
-        let pairs = match order {
+        let pairs: Vec<(Table, Table)> = match order {
             Some(order) => {
                 let small = small_names(order);
                 let highest = beyond.unwrap_or(0).max(order.order.value as usize) as u32;
@@ -66,13 +66,20 @@ impl Sides {
                 unfolding.table(&relation.right)?,
             )],
         };
+        if pairs
+            .iter()
+            .any(|(left, right)| left.shape() != right.shape())
+        {
+            return Err(Unknown::Shape.into());
+        }
         let mut conditions = Vec::new();
         for condition in &finding.conditions {
             let node = match order {
                 None => unfolding.scalar(&condition.expression)?,
                 Some(order) => {
                     let parts = unfolding.parts(&condition.expression, &small_names(order), 0)?;
-                    parts[0][0][0]
+                    let part = parts.first().and_then(Table::as_single);
+                    part.ok_or(Unknown::Shape)?
                 }
             };
             conditions.push((condition.requirement, node));
@@ -87,7 +94,7 @@ impl Sides {
     /// The nodes of the sides of a degree, of both.
     pub fn nodes(&self, degree: usize) -> Vec<NodeId> {
         let (left, right) = &self.pairs[degree];
-        left.iter().chain(right).flatten().copied().collect()
+        [left.entries(), right.entries()].concat()
     }
 
     /// Whether the sides are seen to be equal without a look at assignments, up to the order of an
@@ -95,7 +102,7 @@ impl Sides {
     pub fn are_surely_same(&self, sheet: &mut Sheet) -> bool {
         let mut pairs = self.compared().iter();
         pairs.all(|(left, right)| {
-            let mut entries = left.iter().flatten().zip(right.iter().flatten());
+            let mut entries = left.entries().iter().zip(right.entries());
             entries.all(|(a, b)| sheet.is_surely_same(*a, *b))
         })
     }
@@ -104,7 +111,7 @@ impl Sides {
     pub fn are_total(&self, graph: &Graph) -> bool {
         let mut pairs = self.compared().iter();
         pairs.all(|(left, right)| {
-            let mut entries = left.iter().chain(right).flatten();
+            let mut entries = left.entries().iter().chain(right.entries());
             entries.all(|entry| graph.is_total(*entry))
         })
     }
@@ -170,16 +177,13 @@ impl Sides {
     ) -> Result<Option<Difference>, Failure> {
         let (left, right) = &self.pairs[degree];
         let mut found = None;
-        for (row, (a, b)) in left.iter().zip(right).enumerate() {
-            for (column, (a, b)) in a.iter().zip(b).enumerate() {
-                let entries = [evaluation.value(graph, *a)?, evaluation.value(graph, *b)?];
-                let stands = stand(evaluation, &entries, comparison, must_be_known)?;
-                if !stands && found.is_none() {
-                    found = Some(Difference {
-                        place: (row, column),
-                        entries,
-                    });
-                }
+        let entries = left.entries().iter().zip(right.entries());
+        for (place, (a, b)) in entries.enumerate() {
+            let entries = [evaluation.value(graph, *a)?, evaluation.value(graph, *b)?];
+            let stands = stand(evaluation, &entries, comparison, must_be_known)?;
+            if !stands && found.is_none() {
+                let place = left.position(place);
+                found = Some(Difference { place, entries });
             }
         }
         Ok(found)

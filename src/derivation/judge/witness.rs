@@ -191,7 +191,10 @@ fn at_assignment(
             })
             .collect(),
         degree: finding.outcome.degree(),
-        entry: (left.len() > 1 || left[0].len() > 1).then_some((place.0 + 1, place.1 + 1)),
+        entry: left
+            .as_single()
+            .is_none()
+            .then_some((place.0 + 1, place.1 + 1)),
         left: entries[0].display(),
         right: entries[1].display(),
     };
