@@ -42,11 +42,9 @@ impl Derivative {
     ///
     /// [`Unknown::TooLarge`], and those of [`Sheet::is_same`].
     pub fn of(&mut self, root: NodeId, sheet: &mut Sheet) -> Made {
-        for id in sheet.graph.below(&[root]) {
-            if !self.known.contains_key(&id) {
-                let derivative = self.rule(id, sheet)?;
-                self.known.insert(id, derivative);
-            }
+        for id in sheet.graph.unknown(root, |id| self.known.contains_key(&id)) {
+            let derivative = self.rule(id, sheet)?;
+            self.known.insert(id, derivative);
         }
         sheet.graph.guarded(self.known[&root], root)
     }

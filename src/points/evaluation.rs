@@ -61,29 +61,11 @@ impl Evaluation {
     /// [`Failure`] where it has none at this assignment, or where that cannot be told.
     pub fn value(&mut self, graph: &Graph, id: NodeId) -> Result<Number, Failure> {
         self.known.resize(graph.size().max(self.known.len()), None);
-        let mut open = vec![id];
-        while let Some(top) = open.last().copied() {
-            if self.known[Graph::place(top)].is_some() {
-                open.pop();
-                continue;
-            }
-            let before = open.len();
-            let mut push = |part| {
-                if self.known[Graph::place(part)].is_none() {
-                    open.push(part);
-                }
-            };
-            graph.node(top).visit(&mut push);
-            if let Node::Function { reference, .. } = graph.node(top) {
-                push(*reference);
-            }
-            if open.len() == before {
-                self.steps = self.steps.checked_sub(1).ok_or(Unknown::TooLarge)?;
-                let value = self.compute(graph, top).and_then(moderate);
-                self.known[Graph::place(top)] = Some(Box::new(value));
-                self.count += 1;
-                open.pop();
-            }
+        for part in graph.unknown_values(id, |part| self.known[Graph::place(part)].is_some()) {
+            self.steps = self.steps.checked_sub(1).ok_or(Unknown::TooLarge)?;
+            let value = self.compute(graph, part).and_then(moderate);
+            self.known[Graph::place(part)] = Some(Box::new(value));
+            self.count += 1;
         }
         self.of(id).cloned()
     }

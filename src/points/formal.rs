@@ -54,23 +54,8 @@ impl Formal {
     /// Whether a node is 0; nothing where it has no value here.
     pub fn vanishes(&mut self, graph: &Graph, id: NodeId) -> Option<bool> {
         self.known.resize(graph.size().max(self.known.len()), None);
-        let mut open = vec![id];
-        while let Some(top) = open.last().copied() {
-            if self.known[Graph::place(top)].is_some() {
-                open.pop();
-                continue;
-            }
-            let before = open.len();
-            graph.node(top).visit(&mut |part| {
-                if self.known[Graph::place(part)].is_none() {
-                    open.push(part);
-                }
-            });
-            if open.len() == before {
-                let value = self.compute(graph.node(top));
-                self.known[Graph::place(top)] = Some(value);
-                open.pop();
-            }
+        for part in graph.unknown(id, |part| self.known[Graph::place(part)].is_some()) {
+            self.known[Graph::place(part)] = Some(self.compute(graph.node(part)));
         }
         Some(self.of(id)? == (0, 0))
     }

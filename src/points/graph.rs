@@ -561,28 +561,46 @@ impl Graph {
 
     /// The nodes that some nodes rest on, and these, each behind those that it rests on.
     pub fn below(&self, roots: &[NodeId]) -> Vec<NodeId> {
-        self.reached(roots, |node, part| node.visit(part))
+        self.reached(roots, |_| false, |node, part| node.visit(part))
+    }
+
+    /// The nodes that one rests on, and it, each behind those that it rests on, without the known ones and
+    /// what only these rest on.
+    pub fn unknown(&self, root: NodeId, is_known: impl Fn(NodeId) -> bool) -> Vec<NodeId> {
+        self.reached(&[root], is_known, |node, part| node.visit(part))
+    }
+
+    /// The same, with the places of the bare names of functions, which tell how a value is called.
+    pub fn unknown_values(&self, root: NodeId, is_known: impl Fn(NodeId) -> bool) -> Vec<NodeId> {
+        self.reached(&[root], is_known, |node, part| {
+            node.visit(part);
+            if let Node::Function { reference, .. } = node {
+                part(*reference);
+            }
+        })
     }
 
     /// The nodes that the values of some nodes are made of, and these: without what need only exist.
     pub fn within(&self, roots: &[NodeId]) -> Vec<NodeId> {
-        self.reached(roots, |node, part| match node {
+        let parts = |node: &Node, part: &mut dyn FnMut(NodeId)| match node {
             Node::Guarded { value, .. } => part(*value),
             node => node.visit(part),
-        })
+        };
+        self.reached(roots, |_| false, parts)
     }
 
-    /// The nodes that are reached from some nodes by way of some of their parts, and these, each behind
+    /// The nodes that are not known and reached from some nodes by way of some of their parts, each behind
     /// those that it rests on.
     fn reached(
         &self,
         roots: &[NodeId],
+        is_known: impl Fn(NodeId) -> bool,
         parts: impl Fn(&Node, &mut dyn FnMut(NodeId)),
     ) -> Vec<NodeId> {
         let mut open = roots.to_vec();
         let mut found = FxHashSet::default();
         while let Some(id) = open.pop() {
-            if found.insert(id) {
+            if !is_known(id) && found.insert(id) {
                 parts(self.node(id), &mut |part| open.push(part));
             }
         }

@@ -143,12 +143,10 @@ impl Expansion {
     ///
     /// [`Unknown::NoExpansion`] where it has none of the wanted length.
     pub fn of(&mut self, root: NodeId, sheet: &mut Sheet) -> Expanded {
-        for id in sheet.graph.below(&[root]) {
-            if !self.known.contains_key(&id) {
-                let series = self.rule(id, sheet);
-                let series = series.map_err(|failure| sheet.graph.failure_within(root, failure));
-                self.known.insert(id, series?.shortened(self.length));
-            }
+        for id in sheet.graph.unknown(root, |id| self.known.contains_key(&id)) {
+            let series = self.rule(id, sheet);
+            let series = series.map_err(|failure| sheet.graph.failure_within(root, failure));
+            self.known.insert(id, series?.shortened(self.length));
         }
         Ok(self.known[&root].clone())
     }

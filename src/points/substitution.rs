@@ -26,12 +26,10 @@ impl Substitution {
     ///
     /// [`Failure`] where what comes out has no value anywhere, or cannot be followed.
     pub fn of(&mut self, root: NodeId, sheet: &mut Sheet) -> Made {
-        for id in sheet.graph.below(&[root]) {
-            if !self.known.contains_key(&id) {
-                let image = self.rule(id, sheet);
-                let image = image.map_err(|failure| sheet.graph.failure_within(root, failure))?;
-                self.known.insert(id, image);
-            }
+        for id in sheet.graph.unknown(root, |id| self.known.contains_key(&id)) {
+            let image = self.rule(id, sheet);
+            let image = image.map_err(|failure| sheet.graph.failure_within(root, failure))?;
+            self.known.insert(id, image);
         }
         Ok(self.known[&root])
     }

@@ -154,15 +154,20 @@ impl<'a> Unfolding<'a> {
                 if let Some(known) = self.known.get(name) {
                     return known.clone();
                 }
-                // The arguments of a call mean nothing within a definition.
-                self.frames.push(BTreeMap::new());
-                let table = self.table(expression);
-                self.frames.pop();
+                let table = self.apart(|own| own.table(expression));
                 self.known.insert(name, table.clone());
                 table
             }
             _ => Err(Unknown::Unsupported.into()),
         }
+    }
+
+    /// What was declared elsewhere, where the arguments of a call mean nothing.
+    fn apart<T>(&mut self, within: impl FnOnce(&mut Self) -> T) -> T {
+        self.frames.push(BTreeMap::new());
+        let found = within(self);
+        self.frames.pop();
+        found
     }
 
     fn variable(&mut self, name: &str, kind: Kind, signs: Signs) -> Made {
@@ -184,9 +189,7 @@ impl<'a> Unfolding<'a> {
         let place = match self.references.get(name) {
             Some(known) => *known,
             None => {
-                self.frames.push(BTreeMap::new());
-                let place = self.scalar(reference);
-                self.frames.pop();
+                let place = self.apart(|own| own.scalar(reference));
                 self.references.insert(name, place);
                 place
             }

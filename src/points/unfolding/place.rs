@@ -1,8 +1,10 @@
 //! Replacements, and what is differentiated or expanded by.
 
-use crate::derivation::syntax::{Expression, Place};
+use std::collections::BTreeSet;
+
+use crate::derivation::syntax::{Expression, Place, Replacement};
 use crate::points::derivative::{By, Derivative};
-use crate::points::graph::NodeId;
+use crate::points::graph::{NodeId, VariableId};
 use crate::points::meaning::Meaning;
 use crate::points::substitution::Substitution;
 use crate::points::table::Table;
@@ -21,48 +23,42 @@ impl<'a> Unfolding<'a> {
 
     /// What a place replaces by what, as far as it stands in a table.
     fn replacements(&mut self, place: &'a Place, table: &Table) -> Result<Substitution, Failure> {
-        let (replacements, is_named) = match place {
-            Place::Replacements(replacements) => (replacements.as_slice(), false),
-            Place::Named(name) => match self.meanings.get(name.value.ascii.as_str()) {
-                Some(Meaning::Substitution(replacements)) => (*replacements, true),
-                _ => return Err(Unknown::Unsupported.into()),
-            },
-        };
-        if is_named {
-            // The arguments of a call mean nothing where the replacements were declared.
-            self.frames.push(Default::default());
-        }
         let present = self.sheet.graph.variables_of(table.entries());
-        let mut substitution = Substitution::default();
-        let mut outcome = Ok(());
-        for replacement in replacements {
-            let target = self.scalar(&replacement.target);
-            outcome = target.and_then(|target| {
-                match self.variable_of(target)? {
-                    // What does not occur need not have a value.
-                    By::Variable(id) if !present.contains(&id) => {}
-                    By::Variable(id) => {
-                        let value = self.scalar(&replacement.value)?;
-                        substitution.variables.insert(id, value);
-                    }
-                    By::Function(function, order, place) => {
-                        let value = self.scalar(&replacement.value)?;
-                        substitution
-                            .functions
-                            .push(((function, order, place), value));
-                    }
-                    By::Time => return Err(Unknown::NoVariable.into()),
+        match place {
+            Place::Replacements(replacements) => self.replacing(replacements, &present),
+            Place::Named(name) => match self.meanings.get(name.value.ascii.as_str()) {
+                Some(Meaning::Substitution(replacements)) => {
+                    self.apart(|own| own.replacing(replacements, &present))
                 }
-                Ok(())
-            });
-            if outcome.is_err() {
-                break;
+                _ => Err(Unknown::Unsupported.into()),
+            },
+        }
+    }
+
+    fn replacing(
+        &mut self,
+        replacements: &'a [Replacement],
+        present: &BTreeSet<VariableId>,
+    ) -> Result<Substitution, Failure> {
+        let mut substitution = Substitution::default();
+        for replacement in replacements {
+            let target = self.scalar(&replacement.target)?;
+            let by = self.variable_of(target)?;
+            // What does not occur need not have a value.
+            if matches!(by, By::Variable(id) if !present.contains(&id)) {
+                continue;
+            }
+            let value = self.scalar(&replacement.value)?;
+            match by {
+                By::Variable(id) => drop(substitution.variables.insert(id, value)),
+                By::Function(function, order, place) => {
+                    let replaced = (function, order, place);
+                    substitution.functions.push((replaced, value));
+                }
+                By::Time => return Err(Unknown::NoVariable.into()),
             }
         }
-        if is_named {
-            self.frames.pop();
-        }
-        outcome.map(|()| substitution)
+        Ok(substitution)
     }
 
     /// ∂fᵢ/∂qⱼ: a row for each entry of f, a column for each entry of q.
