@@ -45,7 +45,7 @@ pub struct Budget {
 }
 
 /// So many full supplies are there in all.
-const SUPPLIES: u64 = 12;
+const SUPPLIES: u64 = 4;
 
 impl Budget {
     /// A supply of `limit` steps.

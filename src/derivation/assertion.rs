@@ -5,7 +5,7 @@ pub(super) mod comparison;
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::error::AlgebraError;
 use crate::algebra::fraction::Fraction;
-use crate::algebra::symbol::Symbol;
+use crate::algebra::polynomial::Polynomial;
 
 use super::condition::Conditions;
 use super::diagnostic::{Diagnostic, DiagnosticKind};
@@ -130,8 +130,10 @@ impl Elaborator {
             .as_ref()
             .filter(|_| outcome != Outcome::True)
         {
-            self.require_where_small_vanish([&left, &right], order, span)?;
+            self.require_where_small_vanish(order, span)?;
         }
+        self.keep(&left, span)?;
+        self.keep(&right, span)?;
         let needed = std::mem::take(&mut self.conditions);
         Ok(Finding {
             assertion: assertion.clone(),
@@ -146,24 +148,12 @@ impl Elaborator {
 
     /// The conditions of an approximation: those of both sides and of their expansions, where the small
     /// quantities vanish.
-    fn require_where_small_vanish(
-        &mut self,
-        sides: [&Value; 2],
-        order: &Order,
-        span: &Span,
-    ) -> Result<(), Diagnostic> {
+    fn require_where_small_vanish(&mut self, order: &Order, span: &Span) -> Result<(), Diagnostic> {
         let small = self.variables(&order.small)?;
         let names: Vec<String> = order.small.iter().map(|s| s.value.to_string()).collect();
-        let zero = |symbol: &Symbol| (*symbol, self.ring.zero());
-        let at_zero = small.iter().map(zero).collect();
         let needed = std::mem::take(&mut self.conditions);
-        self.require_after(&needed, &at_zero, span)
-            .map_err(|error| unexpandable(error, &names, span))?;
-        for side in sides {
-            self.require_expansion(side, &small, &at_zero, span)
-                .map_err(|error| unexpandable(error, &names, span))?;
-        }
-        Ok(())
+        self.require_expansion(needed, &small, span)
+            .map_err(|error| unexpandable(error, &names, span))
     }
 
     /// Sees that values are real: complex numbers have no order.
@@ -214,16 +204,14 @@ impl Elaborator {
         conditions: &Conditions,
         span: &Span,
     ) -> Result<Vec<Condition>, Diagnostic> {
-        let presenter = self.presenter();
-        let present = |(requirement, polynomial): &(_, _)| {
-            let expression = presenter.polynomial(polynomial);
+        let present = |(requirement, polynomial): &(_, Polynomial)| {
             Ok(Condition {
-                expression: expression.map_err(|error| algebra(error, span))?,
+                expression: self.present_polynomial(polynomial, span)?,
                 requirement: *requirement,
             })
         };
-        let distinct = conditions.distinct(&self.ring);
-        let distinct = distinct.map_err(|error| algebra(error, span))?;
-        distinct.iter().map(present).collect()
+        let open = conditions.open(&self.ring);
+        let open = open.map_err(|error| algebra(error, span))?;
+        open.iter().map(present).collect()
     }
 }

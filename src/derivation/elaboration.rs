@@ -8,25 +8,26 @@ pub(super) mod matrix;
 mod operation;
 mod substitution;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::budget::Budget;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::generator::Generator;
 use crate::algebra::number::Rational;
+use crate::algebra::polynomial::Polynomial;
 use crate::algebra::ring::Ring;
 use crate::algebra::symbol::Symbol;
 
 use super::condition::Conditions;
 use super::diagnostic::{Diagnostic, DiagnosticKind};
 use super::presentation::Presenter;
-use super::quantity::{Quantities, Quantity, Value};
+use super::quantity::{Quantities, Quantity, Value, common_unit};
 use super::scope::{Meaning, Scope};
 use super::syntax::{Expression, Name, Node, Span, Spanned};
-use super::unit::small_integer;
+use super::unit::{Unit, small_integer};
 
-use error::{algebra, different, shape};
+use error::{algebra, different, quantity as quantity_error, shape};
 use limit::{MOST_PARTS, MOST_ROWS, check_nesting, check_terms};
 use substitution::KnownSubstitution;
 
@@ -44,7 +45,7 @@ pub struct Elaborator {
     /// that the assumptions remain true.
     pub trusts_replacements: bool,
     /// The arguments of the calls that one is in, and what must hold for each to exist.
-    arguments: Vec<BTreeMap<String, (Value, Conditions)>>,
+    arguments: Vec<BTreeMap<String, Argument>>,
     /// The named substitutions that were used, by ASCII name.
     substitutions: BTreeMap<String, KnownSubstitution>,
     /// The complex symbols that stand for names that were declared real, by ASCII name.
@@ -52,6 +53,20 @@ pub struct Elaborator {
     /// The definitions that were elaborated with these, by ASCII name.
     twin_values: BTreeMap<String, (Value, Conditions)>,
     nesting: usize,
+}
+
+/// What it costs to keep a term of a value, and one that is written out as an expression: with these the
+/// budget of a document bounds its memory.
+const STEPS_FOR_A_KEPT_TERM: u64 = 50;
+const STEPS_FOR_A_WRITTEN_TERM: u64 = 400;
+
+/// What stands for a name within a call.
+#[derive(Clone, Debug)]
+struct Argument {
+    value: Value,
+    conditions: Conditions,
+    /// The ASCII names of the symbols and functions that its text rests on, also those that cancel.
+    rests_on: BTreeSet<String>,
 }
 
 impl Elaborator {
@@ -179,9 +194,20 @@ impl Elaborator {
         names.iter().map(|name| self.variable(name)).collect()
     }
 
+    /// The number that an expression is, if it is one; it has no unit.
+    pub(super) fn number(
+        &mut self,
+        expression: &Expression,
+    ) -> Result<Option<Rational>, Diagnostic> {
+        let quantity = self.scalar(expression)?;
+        common_unit(&quantity.unit, &Some(Unit::one()))
+            .map_err(|error| quantity_error(error, &expression.span))?;
+        Ok(quantity.value.as_constant())
+    }
+
     /// A small natural number.
     pub fn natural(&mut self, expression: &Expression) -> Result<usize, Diagnostic> {
-        let number = self.scalar(expression)?.value.as_constant();
+        let number = self.number(expression)?;
         let whole = number.filter(|number| number.is_int() && *number >= Rational::ZERO);
         let kind = match whole {
             Some(_) => DiagnosticKind::Budget,
@@ -201,10 +227,10 @@ impl Elaborator {
 
     fn named(&mut self, name: &Name, span: &Span) -> Result<Value, Diagnostic> {
         let arguments = self.arguments.last();
-        if let Some((value, conditions)) = arguments.and_then(|known| known.get(&name.ascii)) {
+        if let Some(argument) = arguments.and_then(|known| known.get(&name.ascii)) {
             // They stand where the name does, so that replacements around it reach them.
-            self.conditions.extend(conditions);
-            return Ok(value.clone());
+            self.conditions.extend(&argument.conditions);
+            return Ok(argument.value.clone());
         }
         match &self.scope.find(name, span)?.meaning {
             Meaning::Symbol { symbol, unit, .. } => {
@@ -250,12 +276,38 @@ impl Elaborator {
         }
     }
 
-    /// An element as an expression.
+    /// Pays for a value that is kept until the document ends.
+    pub(super) fn keep(&self, value: &Value, span: &Span) -> Result<(), Diagnostic> {
+        let entries = value.entries().iter();
+        entries
+            .map(|entry| self.pay(&entry.value, STEPS_FOR_A_KEPT_TERM, span))
+            .collect()
+    }
+
+    /// A polynomial as an expression, which is kept until the document ends.
+    pub(super) fn present_polynomial(
+        &self,
+        polynomial: &Polynomial,
+        span: &Span,
+    ) -> Result<Expression, Diagnostic> {
+        self.pay(&polynomial.clone().into(), STEPS_FOR_A_WRITTEN_TERM, span)?;
+        let expression = self.presenter().polynomial(polynomial);
+        expression.map_err(|error| algebra(error, span))
+    }
+
+    fn pay(&self, element: &Fraction, price: u64, span: &Span) -> Result<(), Diagnostic> {
+        let terms = element.numerator().len() + element.denominator().len();
+        let paid = self.ring.budget().spend(price * terms as u64);
+        paid.map_err(|exhausted| algebra(exhausted.into(), span))
+    }
+
+    /// An element as an expression, which is kept until the document ends.
     pub(super) fn present(
         &self,
         element: &Fraction,
         span: &Span,
     ) -> Result<Expression, Diagnostic> {
+        self.pay(element, STEPS_FOR_A_WRITTEN_TERM, span)?;
         let expression = self.presenter().element(element);
         expression.map_err(|error| algebra(error, span))
     }

@@ -7,6 +7,7 @@ mod solution;
 
 use std::collections::BTreeMap;
 
+use crate::algebra::error::AlgebraError;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::number::Rational;
 use crate::algebra::substitution::Substitution;
@@ -72,7 +73,7 @@ impl Singularity {
 pub enum Existence {
     /// It has a value there, for certain.
     Stays,
-    /// It has a denominator that is 0 there.
+    /// It has a denominator that is 0 there, as it is shown.
     Lost,
     /// Neither was shown.
     Unknown,
@@ -153,13 +154,14 @@ impl Elaborator {
         let equations = self.equations(matching, &coefficients)?;
         let (values, determinant) = self.solve_equations(matching, &equations, unknowns.len())?;
         let substitution: Substitution = unknowns.iter().copied().zip(values.clone()).collect();
+        self.require_admitted(matching, &substitution)?;
         let table = self.residuals(matching, &coefficients, &substitution)?;
 
         let mut conditions = std::mem::take(&mut self.conditions);
         let span = &matching.name.span;
-        let singular_where = self.singularities(&determinant, &values, &conditions, span)?;
+        let singular_where = self.singularities(&determinant, &values, span)?;
         conditions
-            .require_non_zero(&determinant, &self.ring)
+            .divide(&determinant, &self.ring)
             .map_err(|error| algebra(error, span))?;
 
         let mut solution = Vec::new();
@@ -193,6 +195,23 @@ impl Elaborator {
         };
         self.declare_solution(matching, &matched.solution, conditions)?;
         Ok(matched)
+    }
+
+    /// Sees that the solution is one that the unknowns may have: of a declared sign, and real where they
+    /// are. The polynomials were read with both.
+    fn require_admitted(
+        &mut self,
+        matching: &Matching,
+        solution: &Substitution,
+    ) -> Result<(), Diagnostic> {
+        for (unknown, value) in solution {
+            if !self.ring.assumptions().is_complex(*unknown) && !self.ring.is_real(value) {
+                return Err(algebra(AlgebraError::NotReal, &matching.name.span)
+                    .with_label("the solution is not real")
+                    .with_help("declare the unknown with `complex`"));
+            }
+        }
+        self.respect_assumptions(solution, |signs| signs, &matching.name.span)
     }
 
     /// The coefficients of both polynomials, which must have equal units.

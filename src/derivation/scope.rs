@@ -166,10 +166,15 @@ impl Scope {
             }
             | Meaning::Definition { expression, .. } => expression.visit_names(&mut visit),
             Meaning::Template { expression, .. } => expression.visit_names(&mut visit),
-            Meaning::Substitution { replacements, .. } => {
-                replacements
-                    .iter()
-                    .for_each(|each| each.value.visit_names(&mut visit));
+            Meaning::Substitution {
+                replacements,
+                sources,
+                ..
+            } => {
+                let values = replacements.iter().map(|each| &each.value);
+                values
+                    .chain(sources)
+                    .for_each(|each| each.visit_names(&mut visit));
             }
         }
         if let Meaning::Symbol { .. } | Meaning::Function { .. } = meaning {

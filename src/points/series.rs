@@ -360,11 +360,10 @@ impl Expansion {
         let Some(a) = self.leading(a, sheet)? else {
             return Ok(Series::zero());
         };
-        match a.first {
-            0 => {}
-            // No power of ε is the square root of an odd one.
-            odd if odd % 2 != 0 && !self.allows_poles => return Err(NoValue::NotSmooth.into()),
-            _ => return Err(Unknown::NoExpansion.into()),
+        match (a.first, self.allows_poles) {
+            (0, _) => {}
+            (_, false) => return Err(NoValue::NotSmooth.into()),
+            (_, true) => return Err(Unknown::NoExpansion.into()),
         }
         let leading = sheet.graph.root(a.terms[0])?;
         let twice = sheet.graph.scaled(leading, Rational::from(2))?;

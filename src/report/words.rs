@@ -162,7 +162,7 @@ pub fn remainder(matched: &Matched, row: &Row, notation: Notation) -> Phrase {
 pub const fn at_singularity(singularity: &Singularity) -> &'static str {
     match singularity.existence {
         Existence::Stays => ", where the solution stays finite",
-        Existence::Lost => ", where the solution does not exist",
+        Existence::Lost => ", where the solution has no value",
         Existence::Unknown => ", where it is not known whether the solution exists",
     }
 }

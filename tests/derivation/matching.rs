@@ -199,3 +199,27 @@ fn hidden_factors_are_found() {
         assert_eq!(checked(above, below), expected, "{above} over {below}");
     }
 }
+
+#[test]
+fn a_solution_stays_where_all_that_it_is_made_of_has_a_value() {
+    for (exact, factor, expected) in [
+        ("y*C(1/y)", "y", Existence::Unknown),
+        ("y*C(1/(1 + y^2))", "y", Existence::Stays),
+        ("y*D", "y", Existence::Unknown),
+        ("y*sqrt(y - 1)", "y", Existence::Unknown),
+        ("y*sqrt(1 + y^2)", "y", Existence::Stays),
+        ("(1 - cos(α))/sin(α)", "(1 - cos(α))", Existence::Unknown),
+        ("(x^2 + y^2)/y", "(x^2 + y^2)", Existence::Unknown),
+        ("sin(α)^2", "sin(α)", Existence::Stays),
+        ("sin(α)", "sin(α)^2", Existence::Lost),
+        ("1", "y", Existence::Lost),
+    ] {
+        let text = format!(
+            "parameter x, y, b, λ : 1\nangle α\nfunction C at α : 1\nfunction D at 1/y : 1\n\
+             match (1) m: λ^2 + {exact}*λ with λ^2 + {factor}*b*λ in λ unknown b at λ"
+        );
+        let audit = audit_text(&block(&text)).unwrap_or_else(|message| panic!("{text}\n{message}"));
+        let found = audit.matchings[0].singular_where.first();
+        assert_eq!(found.map(|one| one.existence), Some(expected), "{text}");
+    }
+}

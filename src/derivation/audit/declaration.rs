@@ -10,6 +10,8 @@ use crate::algebra::sign::Signs;
 use crate::derivation::condition::Conditions;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::error::{algebra, quantity};
+use crate::derivation::function;
+use crate::derivation::mention::Mention;
 use crate::derivation::quantity::common_unit;
 use crate::derivation::scope::{Meaning, SymbolKind};
 use crate::derivation::syntax::{
@@ -285,6 +287,7 @@ impl Reader<'_> {
         values: &[Expression],
     ) -> Result<(), Diagnostic> {
         for (place, argument) in arguments.iter().enumerate() {
+            self.require_no_function(argument)?;
             if let Some(earlier) = arguments[..place]
                 .iter()
                 .find(|e| e.value == argument.value)
@@ -304,12 +307,14 @@ impl Reader<'_> {
             let meaning = if arguments.is_empty() {
                 self.elaborator.fresh();
                 let value = self.elaborator.value(expression)?;
+                self.elaborator.keep(&value, &expression.span)?;
                 Meaning::Definition {
                     expression: expression.clone(),
                     value,
                     conditions: std::mem::take(&mut self.elaborator.conditions),
                 }
             } else {
+                self.require_known(expression, arguments)?;
                 Meaning::Template {
                     arguments: arguments
                         .iter()
@@ -319,6 +324,51 @@ impl Reader<'_> {
                 }
             };
             self.elaborator.scope.declare(name, meaning, None)?;
+        }
+        Ok(())
+    }
+
+    /// Sees that an argument is not called like what is called with arguments: it would not be plain
+    /// which of the two `C'` and `C(0)` mean.
+    fn require_no_function(&self, argument: &Spanned<Name>) -> Result<(), Diagnostic> {
+        let name = &argument.value;
+        let entry = self.elaborator.scope.get(name);
+        let is_declared = entry.is_some_and(|entry| {
+            matches!(
+                entry.meaning,
+                Meaning::Function { .. } | Meaning::Template { .. }
+            )
+        });
+        if !is_declared && !function::NAMES.contains(&name.ascii.as_str()) {
+            return Ok(());
+        }
+        let message = format!("the argument `{name}` has the name of a function");
+        Err(
+            Diagnostic::new(DiagnosticKind::Duplicate, argument.span.clone(), message)
+                .with_label("a function of this name is known")
+                .with_help("give the argument another name"),
+        )
+    }
+
+    /// Sees that a definition with arguments mentions only them and what is declared above it: what it
+    /// rests on must not change later.
+    fn require_known(
+        &self,
+        body: &Expression,
+        arguments: &[Spanned<Name>],
+    ) -> Result<(), Diagnostic> {
+        let mut mentions = Vec::new();
+        body.collect_mentions(&mut mentions);
+        for Mention { name, .. } in mentions {
+            let is_argument = arguments.iter().any(|argument| argument.value == name);
+            if !is_argument && !function::NAMES.contains(&name.ascii.as_str()) {
+                let entry = self.elaborator.scope.find(&name, &body.span);
+                entry.map_err(|error| {
+                    error.with_help(
+                        "a definition mentions its arguments and what is declared above it",
+                    )
+                })?;
+            }
         }
         Ok(())
     }

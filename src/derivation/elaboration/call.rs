@@ -4,16 +4,15 @@ use std::sync::Arc;
 
 use crate::algebra::error::AlgebraError;
 use crate::algebra::number::Rational;
-use crate::derivation::condition::Conditions;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::quantity::{Quantity, Value, common_unit};
 use crate::derivation::scope::Meaning;
 use crate::derivation::syntax::{Expression, Name, Span};
 use crate::derivation::unit::Unit;
 
-use super::Elaborator;
 use super::error::{algebra, argument_count};
 use super::limit::check_calls;
+use super::{Argument, Elaborator};
 
 impl Elaborator {
     /// What a call gives.
@@ -69,12 +68,12 @@ impl Elaborator {
         span: &Span,
     ) -> Result<Value, Diagnostic> {
         check_calls(self.arguments.len(), function, span)?;
-        let values: Result<Vec<(Value, Conditions)>, Diagnostic> = arguments
+        let arguments: Result<Vec<Argument>, Diagnostic> = arguments
             .iter()
-            .map(|argument| self.value_and_conditions(argument))
+            .map(|argument| self.argument(argument))
             .collect();
         let names = names.into_iter().map(|name| name.ascii);
-        self.arguments.push(names.zip(values?).collect());
+        self.arguments.push(names.zip(arguments?).collect());
         let value = self.value(body);
         self.arguments.pop();
         // A mistake in the definition's text may be one of this call.
@@ -83,6 +82,15 @@ impl Elaborator {
             _ if error.span == (0..0) => error.moved_to(span, &format!("in `{function}`")),
             0..3 => error.with_secondary(span.clone(), format!("in this call of `{function}`")),
             _ => error,
+        })
+    }
+
+    fn argument(&mut self, written: &Expression) -> Result<Argument, Diagnostic> {
+        let (value, conditions) = self.value_and_conditions(written)?;
+        Ok(Argument {
+            value,
+            conditions,
+            rests_on: self.mentioned(written),
         })
     }
 

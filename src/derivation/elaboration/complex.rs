@@ -41,13 +41,10 @@ impl Elaborator {
                 return Err(algebra(AlgebraError::NotReal, span)
                     .with_label("replaces an angle, a coordinate or a function, which are real"));
             };
-            let arguments = self
-                .arguments
-                .last()
-                .into_iter()
-                .flat_map(|known| known.values());
-            let mut entries = arguments.flat_map(|(value, _)| value.entries());
-            if entries.any(|entry| self.ring.constituents(&entry.value).contains(&symbol)) {
+            // Its value was found for a real number, also where that does not occur in it any more.
+            let call = self.arguments.last().into_iter();
+            let mut arguments = call.flat_map(|known| known.values());
+            if arguments.any(|argument| argument.rests_on.contains(&*name)) {
                 return Err(algebra(AlgebraError::NotReal, span).with_help(format!(
                     "an argument of this call contains {name} as a real number: declare it with `complex`"
                 )));

@@ -1,7 +1,6 @@
 //! Sums, products, quotients, powers and roots.
 
 use crate::algebra::arithmetic::{Arithmetic, Division};
-use crate::algebra::error::AlgebraError;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::number::Rational;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
@@ -69,11 +68,8 @@ impl Elaborator {
 
     /// Notes that an element must not be 0.
     pub fn require_non_zero(&mut self, element: &Fraction, span: &Span) -> Result<(), Diagnostic> {
-        if element.is_zero() {
-            return Err(algebra(AlgebraError::DivisionByZero, span));
-        }
         self.conditions
-            .require_non_zero(element, &self.ring)
+            .divide(element, &self.ring)
             .map_err(|error| algebra(error, span))
     }
 
@@ -83,8 +79,7 @@ impl Elaborator {
         exponent: &Expression,
         span: &Span,
     ) -> Result<Value, Diagnostic> {
-        let number = self.scalar(exponent)?.value.as_constant();
-        let Some(number) = number else {
+        let Some(number) = self.number(exponent)? else {
             return Err(Diagnostic::new(
                 DiagnosticKind::Unsupported,
                 exponent.span.clone(),
@@ -162,15 +157,9 @@ impl Elaborator {
             .ring
             .square_root(&square.value)
             .map_err(|error| algebra(error, span))?;
-        let signs = self
-            .ring
-            .signs(&square.value)
+        self.conditions
+            .root(&square.value, &self.ring)
             .map_err(|error| algebra(error, span))?;
-        if !signs.is_non_negative() {
-            self.conditions
-                .require_positive(&square.value, &self.ring)
-                .map_err(|error| algebra(error, span))?;
-        }
         let half = Rational::ONE / Rational::from(2);
         Ok(Quantity {
             value,

@@ -80,24 +80,26 @@ impl Elaborator {
         })
     }
 
-    /// The ASCII names that an expression mentions, through other names; nothing where it stands within a
-    /// call and mentions an argument of that, which may rest on any name.
-    fn mentioned(&self, expression: &Expression) -> Option<BTreeSet<String>> {
-        let (mut names, mut is_known) = (BTreeSet::new(), true);
-        expression.visit_names(&mut |name| {
-            let arguments = self.arguments.last();
-            is_known &= !arguments.is_some_and(|known| known.contains_key(&name.ascii));
-            let entry = self.scope.get(name).into_iter();
-            names.extend(entry.flat_map(Entry::rests_on).map(str::to_owned));
-        });
-        is_known.then_some(names)
+    /// The ASCII names of the symbols and functions that the text of an expression rests on, through other
+    /// names and the arguments of the call that it stands in.
+    pub(super) fn mentioned(&self, expression: &Expression) -> BTreeSet<String> {
+        let mut names = BTreeSet::new();
+        let arguments = self.arguments.last();
+        expression.visit_names(
+            &mut |name| match arguments.and_then(|known| known.get(&name.ascii)) {
+                Some(argument) => names.extend(argument.rests_on.iter().cloned()),
+                None => {
+                    let entry = self.scope.get(name).into_iter();
+                    names.extend(entry.flat_map(Entry::rests_on).map(str::to_owned));
+                }
+            },
+        );
+        names
     }
 
-    fn is_mentioned(&self, symbol: Symbol, mentioned: &Option<BTreeSet<String>>) -> bool {
-        let (Some(mentioned), Some(name)) = (mentioned, self.written_name(symbol)) else {
-            return true;
-        };
-        mentioned.contains(name)
+    fn is_mentioned(&self, symbol: Symbol, mentioned: &BTreeSet<String>) -> bool {
+        let name = self.written_name(symbol);
+        name.is_none_or(|name| mentioned.contains(name))
     }
 
     /// A value and the conditions that it needs; those noted before stay as they are.
@@ -142,6 +144,12 @@ impl Elaborator {
             Place::Named(name) => (&name.value, &name.span),
         };
         let (replacements, conditions) = match self.scope.get(name).map(|entry| &entry.meaning) {
+            Some(Meaning::Substitution { sources, .. })
+                if !sources.is_empty() && self.rests_on_twin(name) =>
+            {
+                return Err(algebra(AlgebraError::NotReal, span)
+                    .with_label("this solution was found for a real number, which is replaced"));
+            }
             Some(Meaning::Substitution {
                 replacements,
                 conditions,

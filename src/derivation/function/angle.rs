@@ -63,19 +63,7 @@ impl Elaborator {
                     .with_help("give a component that is not 0"),
             );
         }
-        let signs = self.ring.signs(&squares.value);
-        match signs
-            .map_err(|error| algebra(error, span))?
-            .is_non_negative()
-        {
-            true => self.require_non_zero(&squares.value, span)?,
-            // Components with i in them may make a square that is no length.
-            false => {
-                let conditions = &mut self.conditions;
-                let required = conditions.require_positive(&squares.value, &self.ring);
-                required.map_err(|error| algebra(error, span))?;
-            }
-        }
+        self.require_non_zero(&squares.value, span)?;
         let value = match self.ring.direction(&first.value, &second.value) {
             Err(AlgebraError::UnknownSign) => return Err(self.unknown_length(&squares, span)?),
             value => value.map_err(|error| algebra(error, span))?,

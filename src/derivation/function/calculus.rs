@@ -4,8 +4,8 @@ use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::differential::Differential;
 use crate::algebra::matrix::Matrix;
 use crate::algebra::sign::Signs;
-use crate::algebra::substitution::Substitution;
 use crate::algebra::symbol::Symbol;
+use crate::derivation::condition::Conditions;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::{algebra, expansion, shape, unexpandable};
@@ -22,7 +22,8 @@ impl Elaborator {
         inner: &Expression,
         span: &Span,
     ) -> Result<Value, Diagnostic> {
-        let value = self.value(inner)?;
+        let (value, needed) = self.value_and_conditions(inner)?;
+        self.require_slopes(needed, &[Differential::Time], span)?;
         let per_second = per_second();
         value.try_map(|entry| self.derivative(entry, &Differential::Time, &per_second, span))
     }
@@ -34,7 +35,7 @@ impl Elaborator {
         variables: &Expression,
         span: &Span,
     ) -> Result<Value, Diagnostic> {
-        let f = self.value(value)?;
+        let (f, needed) = self.value_and_conditions(value)?;
         let q = self.value(variables)?;
         if f.columns() != 1 || (q.columns() != 1 && q.rows() != 1) {
             return Err(shape(
@@ -50,10 +51,13 @@ impl Elaborator {
                 entry.unit.clone().unwrap_or_default(),
             ));
         }
+        let partial = |symbol: &Symbol| Differential::partial(*symbol, &self.ring);
+        let partials: Vec<Differential> =
+            symbols.iter().map(|(symbol, _)| partial(symbol)).collect();
+        self.require_slopes(needed, &partials, span)?;
         Matrix::try_from_fn(f.rows(), symbols.len(), |row, column| {
-            let (symbol, unit) = &symbols[column];
-            let partial = Differential::partial(*symbol, &self.ring);
-            self.derivative(f.at(row, 0), &partial, &unit.inverse(), span)
+            let (_, unit) = &symbols[column];
+            self.derivative(f.at(row, 0), &partials[column], &unit.inverse(), span)
         })
     }
 
@@ -65,15 +69,26 @@ impl Elaborator {
         per: &Unit,
         span: &Span,
     ) -> Result<Quantity, Diagnostic> {
-        let roots = self.ring.moving_radicands(&entry.value, differential);
-        for radicand in roots.map_err(|error| algebra(error, span))? {
-            self.require_non_zero(&radicand.into(), span)?;
-        }
         let value = self.ring.differentiate(&entry.value, differential);
         Ok(Quantity {
             value: value.map_err(|error| algebra(error, span))?,
             unit: entry.unit.as_ref().map(|unit| unit.product(per)),
         })
+    }
+
+    /// Notes what a value needed, and that the roots have slopes which differentials move.
+    fn require_slopes(
+        &mut self,
+        mut needed: Conditions,
+        differentials: &[Differential],
+        span: &Span,
+    ) -> Result<(), Diagnostic> {
+        for differential in differentials {
+            let slopes = needed.differentiate(differential, &mut self.ring);
+            slopes.map_err(|error| algebra(error, span))?;
+        }
+        self.conditions.extend(&needed);
+        Ok(())
     }
 
     /// Symbols as the document writes them.
@@ -112,14 +127,8 @@ impl Elaborator {
         }
         // What must hold must hold where the small quantities vanish.
         let (value, needed) = self.value_and_conditions(value)?;
-        let at_zero = symbols
-            .iter()
-            .map(|symbol| (*symbol, self.ring.zero()))
-            .collect();
         let names = self.written(&symbols, span)?;
-        self.require_after(&needed, &at_zero, span)
-            .map_err(|error| unexpandable(error, &names, span))?;
-        self.require_expansion(&value, &symbols, &at_zero, span)
+        self.require_expansion(needed, &symbols, span)
             .map_err(|error| unexpandable(error, &names, span))?;
         value.try_map(|entry| {
             let value = self.ring.truncate(&entry.value, &symbols, order);
@@ -130,40 +139,33 @@ impl Elaborator {
         })
     }
 
-    /// Requires what an expansion in small quantities rests on: where they vanish, no denominator and no
-    /// root that they move may do so, and what is assumed of signs may at most become 0.
+    /// Notes what an expansion in small quantities rests on: where they vanish, nothing that was divided
+    /// by and no radicand that they move may be 0, and what is assumed of signs may at most become 0.
     pub(in crate::derivation) fn require_expansion(
         &mut self,
-        value: &Value,
+        mut needed: Conditions,
         small: &[Symbol],
-        at_zero: &Substitution,
         span: &Span,
     ) -> Result<(), Diagnostic> {
+        for symbol in small {
+            let along = Differential::partial(*symbol, &self.ring);
+            let slopes = needed.differentiate(&along, &mut self.ring);
+            slopes.map_err(|error| algebra(error, span))?;
+        }
+        let zero = |symbol: &Symbol| (*symbol, self.ring.zero());
+        let at_zero = small.iter().map(zero).collect();
+        self.require_after(&needed, &at_zero, span)?;
         let closure = |signs: Signs| Signs {
             zero: true,
             ..signs
         };
-        self.respect_assumptions(at_zero, closure, span)
+        self.respect_assumptions(&at_zero, closure, span)
             .map_err(|error| match error.kind {
                 DiagnosticKind::Arguments => error
                     .with_label("it may fail where the small quantities vanish")
                     .with_help("declare signs that remain true there, at least as `>= 0`"),
                 _ => error,
-            })?;
-        for entry in value.entries() {
-            let mut divisors = vec![entry.value.denominator().clone()];
-            for symbol in small {
-                let along = Differential::partial(*symbol, &self.ring);
-                let roots = self.ring.moving_radicands(&entry.value, &along);
-                divisors.extend(roots.map_err(|error| algebra(error, span))?);
-            }
-            for divisor in divisors {
-                let image = self.ring.substitute(&divisor.into(), at_zero);
-                let image = image.map_err(|error| algebra(error, span))?;
-                self.require_non_zero(&image, span)?;
-            }
-        }
-        Ok(())
+            })
     }
 }
 

@@ -10,7 +10,7 @@ use crate::algebra::number::Rational;
 use crate::algebra::symbol::Symbol;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
-use crate::derivation::elaboration::error::{algebra, shape};
+use crate::derivation::elaboration::error::algebra;
 use crate::derivation::quantity::{Quantity, Value};
 use crate::derivation::syntax::{Expression, Span};
 
@@ -49,11 +49,12 @@ impl Elaborator {
         let degree = coefficients.keys().next_back().copied().unwrap_or(0);
         let size = self.positive(size)?;
         if size > degree as usize {
-            return Err(shape(
-                span,
-                format!("a polynomial of degree {degree} has no minor of size {size}"),
-            )
-            .with_help(format!("its Hurwitz matrix has the sizes 1, …, {degree}")));
+            let message = format!("a polynomial of degree {degree} has no minor of size {size}");
+            return Err(
+                Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
+                    .with_label("too large")
+                    .with_help(format!("its Hurwitz matrix has the sizes 1, …, {degree}")),
+            );
         }
         let per = variable.unit.unwrap_or_default();
         let entry = |row: usize, column: usize| {

@@ -48,12 +48,12 @@ impl Elaborator {
                 leading.map_err(wrap)?
             }
         };
-        let presenter = self.presenter();
+        let span = &matching.exact.span;
         Ok(Row {
             power,
-            exact: presenter.element(&exact).map_err(wrap)?,
-            assumed: presenter.element(&assumed).map_err(wrap)?,
-            residual: presenter.element(&residual).map_err(wrap)?,
+            exact: self.present(&exact, span)?,
+            assumed: self.present(&assumed, span)?,
+            residual: self.present(&residual, span)?,
             order: leading.map(|(degree, _)| degree),
             used: matching.powers.iter().any(|used| used.value == power),
         })

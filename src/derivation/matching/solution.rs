@@ -3,6 +3,7 @@
 use crate::algebra::arithmetic::{Arithmetic, Division};
 use crate::algebra::error::AlgebraError;
 use crate::algebra::fraction::Fraction;
+use crate::algebra::generator::Generator;
 use crate::algebra::linear_system::solve;
 use crate::algebra::matrix::Matrix;
 use crate::algebra::polynomial::Polynomial;
@@ -102,13 +103,11 @@ impl Elaborator {
         Ok((solution, solved.determinant))
     }
 
-    /// The factors of a determinant that may vanish, where nothing but them is 0 that `conditions` keep
-    /// from it.
+    /// The factors of a determinant that may vanish.
     pub(super) fn singularities(
         &mut self,
         determinant: &Fraction,
         solution: &[Fraction],
-        conditions: &Conditions,
         span: &Span,
     ) -> Result<Vec<Singularity>, Diagnostic> {
         let wrap = |error| algebra(error, span);
@@ -119,17 +118,10 @@ impl Elaborator {
                 factors.push(factor);
             }
         }
-        let kept: Vec<&Polynomial> = conditions
-            .iter()
-            .map(|(_, polynomial)| polynomial)
-            .collect();
         let mut found = Vec::new();
         for (place, factor) in factors.iter().enumerate() {
             let others = factors.iter().enumerate().filter(|(at, _)| *at != place);
-            let elsewhere: Vec<&Polynomial> = others
-                .map(|(_, other)| other)
-                .chain(kept.iter().copied())
-                .collect();
+            let elsewhere: Vec<&Polynomial> = others.map(|(_, other)| other).collect();
             let existence = existence_at(&self.ring, factor, solution, &elsewhere).map_err(wrap)?;
             let factor = self.presenter().polynomial(factor).map_err(wrap)?;
             found.push(Singularity { factor, existence });
@@ -161,7 +153,7 @@ impl Elaborator {
     }
 }
 
-/// What becomes of a solution where a factor is 0, and nothing that is not 0 elsewhere.
+/// What becomes of a solution where a factor is 0, and none of some others is.
 fn existence_at(
     ring: &Ring,
     factor: &Polynomial,
@@ -170,10 +162,14 @@ fn existence_at(
 ) -> Result<Existence, AlgebraError> {
     let mut existence = Existence::Stays;
     for value in solution {
+        // As it is shown: sin α, not (1 − cos²α)/sin α.
+        let above = ring.shorten(value.numerator())?;
+        let below = ring.shorten(value.denominator())?;
+        let value = Fraction::new(above, below, ring.budget())?;
         if vanishes_with(ring, value.denominator(), factor)? {
             return Ok(Existence::Lost);
         }
-        if !has_a_value_off(ring, value, elsewhere)? {
+        if !has_a_value_off(ring, &value, elsewhere)? || !has_total_symbols(ring, &value)? {
             existence = Existence::Unknown;
         }
     }
@@ -218,6 +214,24 @@ fn has_a_value_off(
     let below = ring.shorten(cleared.denominator())?;
     for (factor, _) in below.square_free(ring.budget())? {
         if !ring.polynomial_signs(&ring.norm(&factor)?)?.is_non_zero() {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+/// Whether all that an element is made of has a value under every assignment: what stands within its
+/// functions, roots and angles is divided by nothing that may be 0, and roots are not those of what may
+/// be negative.
+fn has_total_symbols(ring: &Ring, value: &Fraction) -> Result<bool, AlgebraError> {
+    for symbol in ring.constituents(value) {
+        let is_total = match ring.generator(symbol) {
+            Generator::Root { radicand } => ring.polynomial_signs(radicand)?.is_non_negative(),
+            Generator::FunctionValue { argument, .. } => has_a_value_off(ring, argument, &[])?,
+            Generator::Direction { .. } => false,
+            _ => true,
+        };
+        if !is_total {
             return Ok(false);
         }
     }
