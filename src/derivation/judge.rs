@@ -13,7 +13,9 @@ use crate::points::evaluation::Evaluation;
 use crate::points::graph::{Graph, Kind};
 use crate::points::meaning::{Meaning, Meanings};
 use crate::points::unfolding::Unfolding;
-use crate::points::{Assumed, Failure, Search, Sheet, measured};
+use crate::points::{
+    Assumed, DEGENERATE_PLACES, Failure, NoValue, Purpose, Salt, Search, Sheet, Unknown, measured,
+};
 
 use super::assertion::{Assertion, Finding, Outcome};
 use super::diagnostic::{Diagnostic, DiagnosticKind};
@@ -31,6 +33,9 @@ const POINTS: usize = 2;
 /// How many random assignments there are for assertions that have no value at most of them.
 const MOST_CHECKPOINTS: u64 = 12;
 
+/// How many nodes are kept for the next assertions, which may use the same definitions.
+const MOST_NODES_KEPT: usize = 50_000;
+
 /// How many operations the points may take for one document, and for one assertion.
 const STEPS: [usize; 2] = [12_000_000, 2_000_000];
 
@@ -45,17 +50,17 @@ pub struct Judge<'a> {
     scope: &'a Scope,
     assumptions: &'a [Relation],
     signs: BTreeMap<String, Signs>,
-    salt: u64,
+    salt: Salt,
 }
 
 impl<'a> Judge<'a> {
-    /// A judge over the names of a document, at assignments that satisfy its assumptions; the `salt`
+    /// A judge over the names of a document, at assignments that satisfy its assumptions; the salt
     /// depends on the text of the document.
     pub fn new(
         scope: &'a Scope,
         assumptions: &'a [Relation],
         signs: BTreeMap<String, Signs>,
-        salt: u64,
+        salt: Salt,
     ) -> Self {
         Judge {
             scope,
@@ -119,6 +124,10 @@ fn meaning(meaning: &scope::Meaning, signs: Signs) -> Meaning<'_> {
 struct Court<'a> {
     unfolding: Unfolding<'a>,
     candidates: Candidates<'a>,
+    /// Evaluations at assignments where values are missing more often than elsewhere.
+    degenerate: Vec<Evaluation>,
+    /// How many nodes the assumptions have.
+    nodes: usize,
     /// Why there are no assignments.
     unsatisfied: Option<Failure>,
     /// How many operations are left for the document.
@@ -131,11 +140,10 @@ impl<'a> Court<'a> {
             signs: Arc::new(judge.signs.clone()),
             measured: Arc::default(),
             assumed: Vec::new(),
-            is_simple: false,
+            purpose: Purpose::Trust,
         };
         let graph = Graph::default();
-        let generic = (0..MOST_CHECKPOINTS).filter_map(|place| search.find(&graph, place));
-        let generic: Vec<Evaluation> = generic.collect();
+        let generic = search.find_all(&graph, MOST_CHECKPOINTS);
         let mut unfolding = Unfolding::new(meanings, Sheet::new(graph, generic, judge.salt));
         let assumed = judge.assumptions.iter().map(|relation| {
             Ok(Assumed {
@@ -152,11 +160,14 @@ impl<'a> Court<'a> {
         search.measured = Arc::new(measured(&unfolding.sheet.graph, &sides));
         let sheet = &mut unfolding.sheet;
         if !search.assumed.is_empty() {
-            let found = (0..MOST_CHECKPOINTS).map_while(|place| search.find(&sheet.graph, place));
-            sheet.generic = found.collect();
+            sheet.generic = search.find_all(&sheet.graph, MOST_CHECKPOINTS);
         }
-        search.is_simple = true;
+        search.purpose = Purpose::Existence;
+        let degenerate = search.find_all(&sheet.graph, DEGENERATE_PLACES);
+        search.purpose = Purpose::Show;
         Court {
+            degenerate,
+            nodes: sheet.graph.size(),
             unfolding,
             candidates: Candidates::new(search, judge.scope),
             unsatisfied,
@@ -171,12 +182,17 @@ impl<'a> Court<'a> {
 
     /// Allows the operations of one assertion, as far as the document has some left.
     fn renew(&mut self) {
-        let generic = &mut self.unfolding.sheet.generic;
-        let steps = self.steps.min(STEPS[1]) / generic.len().max(1);
-        generic.iter_mut().for_each(|evaluation| {
+        let sheet = &mut self.unfolding.sheet;
+        let evaluations = sheet.generic.len() + self.degenerate.len();
+        let steps = self.steps.min(STEPS[1]) / evaluations.max(1);
+        for evaluation in sheet.generic.iter_mut().chain(&mut self.degenerate) {
             evaluation.steps = steps;
-            evaluation.forget();
-        });
+            evaluation.forget_many();
+        }
+        if sheet.graph.size() > self.nodes + MOST_NODES_KEPT {
+            self.unfolding.forget(self.nodes);
+            self.degenerate.iter_mut().for_each(Evaluation::forget);
+        }
     }
 
     /// The verdict on a finding.
@@ -198,6 +214,7 @@ impl<'a> Court<'a> {
         let before = self.left();
         match Sides::of(finding, &mut self.unfolding) {
             Ok(sides) => self.judge(finding, &sides, &mut claim),
+            Err(Failure::NoValue(_)) if is_true(&finding.outcome) => fault_of_routes(&mut claim),
             Err(failure) => claim.reason = Some(no_value(&finding.outcome, failure)),
         }
         let spent = before.saturating_sub(self.left()) + self.candidates.spent;
@@ -209,26 +226,23 @@ impl<'a> Court<'a> {
     /// How many operations the random assignments may still take.
     fn left(&self) -> usize {
         let generic = self.unfolding.sheet.generic.iter();
-        generic.map(|evaluation| evaluation.steps).sum()
+        let all = generic.chain(&self.degenerate);
+        all.map(|evaluation| evaluation.steps).sum()
     }
 
     fn judge(&mut self, finding: &Finding, sides: &Sides, claim: &mut Claim) {
-        let graph_and_points = &mut self.unfolding.sheet;
-        match &finding.outcome {
-            Outcome::True | Outcome::TrueToOrder(_) => {
-                match agreement(sides, finding, graph_and_points) {
+        match is_true(&finding.outcome) {
+            true => {
+                let sheet = &mut self.unfolding.sheet;
+                match agreement(sides, finding, sheet, &mut self.degenerate) {
                     Ok(points) => self.found_true(finding, sides, points, claim),
-                    Err(Disagreement::Fault) => {
-                        claim.fault = true;
-                        claim.reason =
-                            Some(format!("the two routes to a verdict disagree: {FAULT}"));
-                    }
+                    Err(Disagreement::Fault) => fault_of_routes(claim),
                     Err(Disagreement::TooFew(failure)) => {
                         claim.reason = Some(no_value(&finding.outcome, failure));
                     }
                 }
             }
-            _ => {
+            false => {
                 let sheet = &self.unfolding.sheet;
                 match self.candidates.witness(sides, finding, &sheet.graph) {
                     Ok(witness) => refuted(claim, witness),
@@ -265,34 +279,53 @@ impl<'a> Court<'a> {
 
 /// Why what the first route found true is not confirmed.
 enum Disagreement {
-    /// The sides differ at an assignment.
+    /// The sides differ at an assignment, or one of them has no value there.
     Fault,
     /// They have values at too few.
     TooFew(Failure),
 }
 
-/// At how many random assignments the sides of what the first route found true agree.
-fn agreement(sides: &Sides, finding: &Finding, sheet: &mut Sheet) -> Result<usize, Disagreement> {
-    let (mut passed, mut why) = (0, Failure::UnknownSign);
+/// At how many random assignments the sides of what the first route found true agree; nor may a degenerate
+/// assignment contradict it.
+fn agreement(
+    sides: &Sides,
+    finding: &Finding,
+    sheet: &mut Sheet,
+    degenerate: &mut [Evaluation],
+) -> Result<usize, Disagreement> {
     let comparison = finding.assertion.relation.comparison;
-    if comparison == Comparison::Equal && sides.are_surely_same(sheet) {
+    let is_sure = comparison == Comparison::Equal && sides.are_surely_same(sheet);
+    if is_sure && sides.are_total(&sheet.graph) {
         return Ok(POINTS);
     }
+    for evaluation in degenerate {
+        if sides.at(evaluation, &sheet.graph, comparison) == Ok(Agreement::Contradicts) {
+            return Err(Disagreement::Fault);
+        }
+    }
+    let (mut passed, mut why) = (0, Failure::from(Unknown::Sign));
     for evaluation in &mut sheet.generic {
         match sides.at(evaluation, &sheet.graph, comparison) {
             Ok(Agreement::Agrees) => passed += 1,
-            Ok(Agreement::Differs) => return Err(Disagreement::Fault),
-            Ok(Agreement::OutsideOfConditions) => why = Failure::DivisionByZero,
-            Err(failure) => why = failure,
+            Ok(Agreement::Contradicts) => return Err(Disagreement::Fault),
+            Ok(Agreement::OutsideOfConditions) => why = NoValue::DivisionByZero.into(),
+            Err(unknown) => why = unknown.into(),
         }
         if passed == POINTS {
-            return Ok(passed);
+            break;
         }
     }
     match passed {
+        _ if is_sure => Ok(POINTS),
         0 => Err(Disagreement::TooFew(why)),
         _ => Ok(passed),
     }
+}
+
+/// The verdict where the second route contradicts the first.
+fn fault_of_routes(claim: &mut Claim) {
+    claim.fault = true;
+    claim.reason = Some(format!("the two routes to a verdict disagree: {FAULT}"));
 }
 
 fn refuted(claim: &mut Claim, witness: Witness) {
@@ -315,6 +348,11 @@ fn beyond_order(assertion: &Assertion) -> Option<(u32, Vec<Name>)> {
     let order = assertion.order.as_ref()?;
     let small = order.small.iter().map(|small| small.value.clone());
     Some((order.order.value + 1, small.collect()))
+}
+
+/// Whether the first route found an assertion true.
+const fn is_true(outcome: &Outcome) -> bool {
+    matches!(outcome, Outcome::True | Outcome::TrueToOrder(_))
 }
 
 /// What the first route found of an assertion that is not certain.

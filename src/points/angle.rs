@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use crate::algebra::number::{Integer, Rational};
 
-use super::Failure;
 use super::derivative::{By, Derivative};
 use super::graph::{Made, Node, NodeId, VariableId};
 use super::sheet::Sheet;
 use super::substitution::Substitution;
+use super::{Failure, Unknown};
 
 /// The largest multiple of an angle whose sine is followed.
 const LARGEST_MULTIPLE: i64 = 1_000;
@@ -31,11 +31,11 @@ impl Sheet {
     ///
     /// # Errors
     ///
-    /// [`Failure::NotAnAngle`] where it is none.
+    /// [`Unknown::NotAnAngle`] where it is none.
     pub fn cosine_and_sine(&mut self, angle: NodeId) -> Result<Circle, Failure> {
         let whole = match self.written_sum(angle) {
             Some(whole) => whole,
-            None => self.hidden_sum(angle)?.ok_or(Failure::NotAnAngle)?,
+            None => self.hidden_sum(angle)?.ok_or(Unknown::NotAnAngle)?,
         };
         let mut result = (self.graph.integer(1)?, self.graph.integer(0)?);
         for (part, count) in whole {
@@ -55,7 +55,7 @@ impl Sheet {
             Part::Variable(id) => Ok((self.graph.cosine(id)?, self.graph.sine(id)?)),
             Part::Direction(id) => {
                 let Node::Direction { x, y, .. } = *self.graph.node(id) else {
-                    return Err(Failure::NotAnAngle);
+                    return Err(Unknown::NotAnAngle.into());
                 };
                 let square = self.square_of_length(x, y)?;
                 let length = self.graph.root(square)?;
@@ -97,46 +97,31 @@ impl Sheet {
 
     /// The sum of angles that a node is written as.
     fn written_sum(&self, id: NodeId) -> Option<Whole> {
-        let mut terms = BTreeMap::new();
-        self.add_terms(id, &Rational::ONE, &mut terms, 0)?;
-        let whole = terms.into_iter().filter(|(_, count)| !count.is_zero());
-        whole
-            .map(|(part, count)| Some((part, small(&count)?)))
-            .collect()
-    }
-
-    fn add_terms(
-        &self,
-        id: NodeId,
-        factor: &Rational,
-        terms: &mut BTreeMap<Part, Rational>,
-        depth: usize,
-    ) -> Option<()> {
-        const DEEPEST: usize = 100;
-        if depth > DEEPEST {
-            return None;
+        let mut factors = BTreeMap::from([(id, Rational::ONE)]);
+        let mut whole = Whole::new();
+        // What rests on a node has a higher number, so that the factor of the highest one is complete.
+        while let Some((id, factor)) = factors.pop_last() {
+            if factor.is_zero() {
+                continue;
+            }
+            let mut add = |part, share: Rational| {
+                *factors.entry(part).or_insert(Rational::ZERO) += share;
+            };
+            match self.graph.node(id) {
+                Node::Number(number) if number.is_zero() => {}
+                Node::Variable(variable) if self.graph.variable(*variable).is_angular() => {
+                    whole.insert(Part::Variable(*variable), small(&factor)?);
+                }
+                Node::Direction { .. } => drop(whole.insert(Part::Direction(id), small(&factor)?)),
+                Node::Sum(a, b) => {
+                    add(*a, factor.clone());
+                    add(*b, factor);
+                }
+                Node::Product(a, b) => add(*b, factor * self.graph.as_number(*a)?),
+                _ => return None,
+            }
         }
-        let mut add = |part| *terms.entry(part).or_insert(Rational::ZERO) += factor;
-        match self.graph.node(id) {
-            Node::Number(number) => number.is_zero().then_some(()),
-            Node::Variable(variable) if self.graph.variable(*variable).is_angular() => {
-                add(Part::Variable(*variable));
-                Some(())
-            }
-            Node::Direction { .. } => {
-                add(Part::Direction(id));
-                Some(())
-            }
-            Node::Sum(a, b) => {
-                self.add_terms(*a, factor, terms, depth + 1)?;
-                self.add_terms(*b, factor, terms, depth + 1)
-            }
-            Node::Product(a, b) => {
-                let factor = factor * self.graph.as_number(*a)?;
-                self.add_terms(*b, &factor, terms, depth + 1)
-            }
-            _ => None,
-        }
+        Some(whole)
     }
 
     /// The sum of angular variables that a node is everywhere, though it is written otherwise: its
@@ -163,7 +148,7 @@ impl Sheet {
                 continue;
             }
             let slope = slope(self, variable)?;
-            let value = self.sample(slope).ok_or(Failure::UnknownIdentity)?;
+            let value = self.sample(slope).ok_or(Unknown::Identity)?;
             let Some(real) = value.as_real() else {
                 return Ok(None);
             };
@@ -199,7 +184,7 @@ impl Sheet {
     ///
     /// # Errors
     ///
-    /// [`Failure::ZeroVector`] for (0, 0), and those of [`Sheet::vanishes`].
+    /// [`NoValue::ZeroVector`] for (0, 0), and those of [`Sheet::vanishes`].
     pub fn direction(&mut self, x: NodeId, y: NodeId) -> Made {
         let parallel = self.parallel(x, y)?;
         let (angle, along) = match parallel {

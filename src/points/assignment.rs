@@ -1,18 +1,20 @@
 //! Assignments: what each variable and each function is.
 
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 use std::sync::Arc;
 
 use crate::algebra::number::Rational;
 use crate::algebra::sign::Signs;
 use crate::derivation::visit::primed;
 
-use super::Failure;
 use super::enclosure::{Enclosure, circle_point};
 use super::formal::mix;
 use super::graph::{FunctionId, Kind, Variable};
 use super::number::Number;
 use super::real::Real;
+use super::{Failure, Unknown};
 
 /// How large the numbers of an assignment are: small ones to show, large ones to trust.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +23,8 @@ pub struct Size {
     pub numerator: u64,
     /// Denominators run up to this.
     pub denominator: u64,
+    /// How many of four numbers are 0, where that is admitted.
+    pub zeros: u64,
 }
 
 /// How a value is drawn.
@@ -43,11 +47,10 @@ pub struct Assigned {
     pub imaginary: Option<Rational>,
 }
 
-/// A function at one of its arguments.
+/// Where a function is taken: at all arguments that may be equal to each other, as far as is known.
 #[derive(Clone, Debug)]
 struct Place {
-    function: FunctionId,
-    argument: Real,
+    arguments: Enclosure,
     /// The argument as it is shown; nothing for that at which the bare name is taken.
     label: Option<String>,
 }
@@ -61,7 +64,8 @@ pub struct Assignment {
     signs: Arc<BTreeMap<String, Signs>>,
     /// The angles whose measure is a fraction, by name; of the others the sine and the cosine are.
     measured: Arc<BTreeSet<String>>,
-    places: Vec<Place>,
+    /// The places of each function, each below the next.
+    places: BTreeMap<FunctionId, Vec<Place>>,
 }
 
 impl Assignment {
@@ -76,7 +80,7 @@ impl Assignment {
             others: BTreeMap::new(),
             signs,
             measured,
-            places: Vec::new(),
+            places: BTreeMap::new(),
         }
     }
 
@@ -85,8 +89,16 @@ impl Assignment {
         self.others.insert(name.to_owned(), draw);
     }
 
-    /// A fraction ≠ 0 that depends on the draw and on a text alone; `name` is whose draw it is.
+    /// A fraction that depends on the draw and on a text alone; `name` is whose draw it is.
     fn random(&self, name: &str, text: &str) -> Rational {
+        match self.drawn(name, text) {
+            (_, true) => Rational::ZERO,
+            (value, false) => value,
+        }
+    }
+
+    /// A fraction ≠ 0, and whether 0 is wanted instead.
+    fn drawn(&self, name: &str, text: &str) -> (Rational, bool) {
         let Draw { seed, size } = self.others.get(name).copied().unwrap_or(self.usual);
         let mut state = seed;
         for byte in text.bytes() {
@@ -95,21 +107,25 @@ impl Assignment {
         let numerator = mix(state) % size.numerator + 1;
         let denominator = mix(state ^ 1) % size.denominator + 1;
         let value = Rational::from_parts(numerator.into(), denominator.into());
+        let is_zero = mix(state ^ 3) % 4 < size.zeros;
         match mix(state ^ 2).is_multiple_of(2) {
-            true => value,
-            false => -value,
+            true => (value, is_zero),
+            false => (-value, is_zero),
         }
     }
 
-    /// A fraction of the sign that a name was declared with.
-    fn signed(&self, name: &str) -> Rational {
+    /// A fraction of a sign that a name was declared with.
+    fn signed(&self, name: &str) -> Result<Rational, Unknown> {
         let signs = self.signs.get(name).copied().unwrap_or(Signs::ANY);
-        let value = self.random(name, name);
-        // Random values are never 0; the sign is the only thing to mend.
-        match value > Rational::ZERO {
-            true if !signs.positive => -value,
-            false if !signs.negative => -value,
-            _ => value,
+        let (value, is_zero) = self.drawn(name, name);
+        let is_positive = value > Rational::ZERO;
+        match (signs.negative, signs.positive) {
+            _ if signs.zero && is_zero => Ok(Rational::ZERO),
+            (false, false) if signs.zero => Ok(Rational::ZERO),
+            (false, false) => Err(Unknown::NoAssignment),
+            (true, false) if is_positive => Ok(-value),
+            (false, true) if !is_positive => Ok(-value),
+            _ => Ok(value),
         }
     }
 
@@ -121,42 +137,58 @@ impl Assignment {
     ///
     /// # Errors
     ///
-    /// [`Failure::UnknownSign`] where the measure of an angle is not known well enough.
+    /// [`Unknown::Sign`] where the measure of an angle is not known well enough.
     pub fn value(&self, variable: &Variable) -> Result<Number, Failure> {
         let name = shown_name(variable);
         if variable.kind == Kind::Complex {
             let imaginary = self.random(&variable.name, &format!("imaginary part of {name}"));
-            return Ok(Number::new(self.signed(&name).into(), imaginary.into()));
+            return Ok(Number::new(self.signed(&name)?.into(), imaginary.into()));
         }
         if !variable.is_angular() {
             return Ok(Number::from(Real::from(match variable.order {
-                0 => self.signed(&name),
+                0 => self.signed(&name)?,
                 _ => self.random(&variable.name, &name),
             })));
         }
         if self.is_measured(variable) {
-            return Ok(Number::from(Real::from(self.signed(&name))));
+            return Ok(Number::from(Real::from(self.signed(&name)?)));
         }
-        let (cosine, sine) = self.circle(variable);
+        let (cosine, sine) = self.circle(variable)?;
+        if sine.is_zero() && cosine.sign() == Some(Ordering::Greater) {
+            return Ok(Number::from(sine));
+        }
         let angle = Enclosure::direction(&cosine.enclosure(), &sine.enclosure());
         angle
             .map(|angle| Number::from(Real::Enclosed(angle)))
-            .ok_or(Failure::UnknownSign)
+            .ok_or(Unknown::Sign.into())
     }
 
     /// (cos, sin) of an angular variable.
-    pub fn circle(&self, variable: &Variable) -> (Real, Real) {
+    ///
+    /// # Errors
+    ///
+    /// [`Unknown::NoAssignment`] where no angle has the declared sign.
+    pub fn circle(&self, variable: &Variable) -> Result<(Real, Real), Failure> {
         let name = &variable.name;
         if self.is_measured(variable) {
-            let (cosine, sine) = circle_point(&self.signed(name));
-            return (Real::Enclosed(cosine), Real::Enclosed(sine));
+            let angle = self.signed(name)?;
+            if angle.is_zero() {
+                return Ok((Rational::ONE.into(), angle.into()));
+            }
+            let (cosine, sine) = circle_point(&angle);
+            return Ok((Real::Enclosed(cosine), Real::Enclosed(sine)));
         }
-        // Every t gives a rational point of the circle.
-        let t = self.random(name, &format!("circle of {name}"));
+        // Every t gives a rational point of the circle; that of half a turn has none.
+        let text = format!("circle of {name}");
+        let (t, is_on_the_axis) = self.drawn(name, &text);
+        if is_on_the_axis {
+            let cosine = Rational::from(if t > Rational::ZERO { 1 } else { -1 });
+            return Ok((cosine.into(), Rational::ZERO.into()));
+        }
         let square = &t * &t;
         let below = Rational::ONE + &square;
         let cosine = (Rational::ONE - square) / &below;
-        (cosine.into(), ((&t + &t) / below).into())
+        Ok((cosine.into(), ((&t + &t) / below).into()))
     }
 
     /// f⁽ᵏ⁾(a): at arguments that may be equal the values are equal, which is so of a smooth function
@@ -164,7 +196,7 @@ impl Assignment {
     ///
     /// # Errors
     ///
-    /// [`Failure::UnknownSign`] where an argument may be equal to two that are apart.
+    /// [`Unknown::Sign`] where an argument may be equal to two that are apart.
     pub fn function(
         &mut self,
         (function, name): (FunctionId, &str),
@@ -172,43 +204,22 @@ impl Assignment {
         argument: &Real,
         label: impl FnOnce() -> Option<String>,
     ) -> Result<Real, Failure> {
-        let place = match self.place(function, argument)? {
-            Some(known) => {
-                let place = Place {
-                    argument: argument.clone(),
-                    ..known.clone()
-                };
-                // What may be equal to this one later must get the same value.
-                if argument.as_rational().is_none() {
-                    self.places.push(place.clone());
-                }
-                place
-            }
-            None => {
-                let place = Place {
-                    function,
-                    argument: argument.clone(),
-                    label: label(),
-                };
-                self.places.push(place.clone());
-                place
-            }
-        };
-        Ok(self.random(name, &self.text_of(&place, name, order)).into())
-    }
-
-    /// The place of a function's argument.
-    fn place(&self, function: FunctionId, argument: &Real) -> Result<Option<&Place>, Failure> {
-        let of_function = self
-            .places
-            .iter()
-            .filter(|place| place.function == function);
-        let mut known = of_function.filter(|place| place.argument.may_be(argument));
-        let first = known.next();
-        match known.all(|other| first.is_some_and(|first| first.label == other.label)) {
-            true => Ok(first),
-            false => Err(Failure::UnknownSign),
+        let argument = argument.enclosure();
+        let places = self.places.entry(function).or_default();
+        let known = known_places(places, &argument)?;
+        let is_seen = |place: &Place| argument.is_within(&place.arguments);
+        if !places.get(known.start).is_some_and(is_seen) {
+            let joined = |joined: Enclosure, place: Place| joined.joined(&place.arguments);
+            let label = match places[known.clone()].first() {
+                Some(place) => place.label.clone(),
+                None => label(),
+            };
+            let first = argument.into_owned();
+            let arguments = places.drain(known.clone()).fold(first, joined);
+            places.insert(known.start, Place { arguments, label });
         }
+        let text = self.text_of(&self.places[&function][known.start], name, order);
+        Ok(self.random(name, &text).into())
     }
 
     /// `dC_D`, or `C_D'` where something is called `dC_D`; `C_D(2*alpha)`.
@@ -233,7 +244,9 @@ impl Assignment {
         };
         let name = shown_name(variable);
         if variable.is_angular() && !self.is_measured(variable) {
-            let (cosine, sine) = self.circle(variable);
+            let Ok((cosine, sine)) = self.circle(variable) else {
+                return Vec::new();
+            };
             let parts = [("cos", cosine), ("sin", sine)];
             let parts = parts.into_iter().filter_map(|(function, part)| {
                 let value = part.as_rational()?.clone();
@@ -262,13 +275,31 @@ impl Assignment {
         order: u32,
         argument: &Real,
     ) -> Option<Assigned> {
-        let place = self.place(function, argument).ok()??;
-        let text = self.text_of(place, name, order);
+        let places = self.places.get(&function)?;
+        let known = known_places(places, &argument.enclosure()).ok()?;
+        let text = self.text_of(places.get(known)?.first()?, name, order);
         Some(Assigned {
             value: self.random(name, &text),
             name: text,
             imaginary: None,
         })
+    }
+}
+
+/// Those places at which an argument may be.
+///
+/// # Errors
+///
+/// [`Unknown::Sign`] where it may be at two at which a function has different values.
+fn known_places(places: &[Place], argument: &Enclosure) -> Result<Range<usize>, Unknown> {
+    let start = places.partition_point(|place| place.arguments.is_below(argument));
+    let behind = places[start..].partition_point(|place| !argument.is_below(&place.arguments));
+    let known = start..start + behind;
+    let mut labels = places[known.clone()].iter().map(|place| &place.label);
+    let first = labels.next();
+    match labels.all(|label| Some(label) == first) {
+        true => Ok(known),
+        false => Err(Unknown::Sign),
     }
 }
 

@@ -5,7 +5,7 @@ use rustc_hash::FxHashMap;
 use crate::algebra::number::Rational;
 use crate::algebra::sign::Signs;
 
-use super::Failure;
+use super::Unknown;
 use super::graph::{FunctionId, Made, Node, NodeId, Variable, VariableId};
 use super::sheet::Sheet;
 
@@ -40,20 +40,18 @@ impl Derivative {
     ///
     /// # Errors
     ///
-    /// [`Failure::TooLarge`], and those of [`Sheet::is_same`].
+    /// [`Unknown::TooLarge`], and those of [`Sheet::is_same`].
     pub fn of(&mut self, root: NodeId, sheet: &mut Sheet) -> Made {
-        for id in sheet.graph.below(&[root]) {
-            if !self.known.contains_key(&id) {
-                let derivative = self.rule(id, sheet)?;
-                self.known.insert(id, derivative);
-            }
+        for id in sheet.graph.unknown(root, |id| self.known.contains_key(&id)) {
+            let derivative = self.rule(id, sheet)?;
+            self.known.insert(id, derivative);
         }
         sheet.graph.guarded(self.known[&root], root)
     }
 
     /// The derivative of a node by those of what it rests on.
     fn rule(&self, id: NodeId, sheet: &mut Sheet) -> Made {
-        let of = |part: &NodeId| self.known.get(part).copied().ok_or(Failure::Unsupported);
+        let of = |part: &NodeId| self.known.get(part).copied().ok_or(Unknown::Unsupported);
         let node = sheet.graph.node(id).clone();
         match &node {
             Node::Number(_) | Node::ImaginaryUnit => sheet.graph.integer(0),
@@ -96,8 +94,9 @@ impl Derivative {
             }
             Node::Root(a) => {
                 let change = of(a)?;
-                if sheet.graph.is_zero(change) {
-                    return Ok(change);
+                // A root that does not move has a slope where it is 0, too.
+                if sheet.surely_vanishes(change) {
+                    return sheet.graph.integer(0);
                 }
                 let twice = sheet.graph.scaled(id, Rational::from(2))?;
                 sheet.graph.quotient(change, twice)
@@ -125,6 +124,7 @@ impl Derivative {
                 let change = of(value)?;
                 sheet.graph.guarded(change, *needed)
             }
+            Node::Detour(value) => sheet.graph.by_detour(of(value)?),
         }
     }
 

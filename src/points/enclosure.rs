@@ -1,5 +1,7 @@
 //! Enclosures of real numbers, with as many binary digits wherever the point stands.
 
+use std::cmp::Ordering;
+
 use dashu_base::{BitTest, SquareRoot, UnsignedAbs};
 
 use crate::algebra::interval::Intervals;
@@ -30,6 +32,20 @@ fn lowered(a: &Integer, places: usize) -> Integer {
 /// a/2ⁿ, rounded up.
 fn raised(a: &Integer, places: usize) -> Integer {
     -((-a) >> places)
+}
+
+/// How a·2ᵉ and b·2ᶠ compare.
+fn compared((a, e): (&Integer, i64), (b, f): (&Integer, i64)) -> Ordering {
+    let height = |a: &Integer, exponent: i64| match a.cmp(&Integer::ZERO) {
+        Ordering::Less => (-1, -(exponent + a.bit_len() as i64)),
+        Ordering::Equal => (0, 0),
+        Ordering::Greater => (1, exponent + a.bit_len() as i64),
+    };
+    let finest = e.min(f);
+    let units = |a: &Integer, exponent: i64| a << (exponent - finest) as usize;
+    // Numbers of one height are shifted by no more than the digits of one of them.
+    let heights = height(a, e).cmp(&height(b, f));
+    heights.then_with(|| units(a, e).cmp(&units(b, f)))
 }
 
 impl Enclosure {
@@ -86,10 +102,28 @@ impl Enclosure {
         self.high < Integer::ZERO
     }
 
+    /// Whether every number in it is below every number in another one.
+    pub fn is_below(&self, other: &Self) -> bool {
+        compared((&self.high, self.exponent), (&other.low, other.exponent)).is_lt()
+    }
+
     /// Whether the two have a number in common.
     pub fn meets(&self, other: &Self) -> bool {
-        let difference = self.sum(&other.negative());
-        !difference.is_positive() && !difference.is_negative()
+        !self.is_below(other) && !other.is_below(self)
+    }
+
+    /// Whether every number in it is in another one.
+    pub fn is_within(&self, other: &Self) -> bool {
+        let bound = |bound, own: &Self| (bound, own.exponent);
+        compared((&other.low, other.exponent), bound(&self.low, self)).is_le()
+            && compared(bound(&self.high, self), (&other.high, other.exponent)).is_le()
+    }
+
+    /// All numbers in the two and between them.
+    pub fn joined(&self, other: &Self) -> Self {
+        let exponent = self.exponent.min(other.exponent);
+        let ((low, high), (least, most)) = (self.in_units(exponent), other.in_units(exponent));
+        Enclosure::new(low.min(least), high.max(most), exponent)
     }
 
     /// Whether it is narrow: by `digits` binary digits smaller than another number, or than 1.
@@ -203,8 +237,23 @@ impl Enclosure {
         Some((cosine.sum(&spread), sine.sum(&spread)))
     }
 
-    /// arctan a for a ≥ 0, by tan(β/2) = tan β/(1 + √(1 + tan²β)) and Σ (−1)ᵏ t²ᵏ⁺¹/(2k + 1).
+    /// arctan a, which grows with a.
     fn arctangent(&self) -> Option<Self> {
+        let [low, high] = [&self.low, &self.high].map(|bound| {
+            let exponent = self.exponent;
+            Enclosure::new(bound.clone(), bound.clone(), exponent).arctangent_of_point()
+        });
+        Some(low?.joined(&high?))
+    }
+
+    /// arctan a for a single number, by tan(β/2) = tan β/(1 + √(1 + tan²β)) and Σ (−1)ᵏ t²ᵏ⁺¹/(2k + 1).
+    fn arctangent_of_point(&self) -> Option<Self> {
+        if self.low.is_zero() {
+            return Some(self.clone());
+        }
+        if self.is_negative() {
+            return Some(self.negative().arctangent_of_point()?.negative());
+        }
         let one = Enclosure::from(&Rational::ONE);
         let mut tangent = self.clone();
         for _ in 0..HALVINGS {
@@ -228,35 +277,37 @@ impl Enclosure {
     pub fn direction(x: &Self, y: &Self) -> Option<Self> {
         let quarter = Intervals::new(DIGITS).quarter_turn();
         let quarter = Enclosure::of_bounds(Intervals::new(DIGITS).bounds(&quarter));
-        if y.is_negative() {
-            return Some(Enclosure::direction(x, &y.negative())?.negative());
-        }
         if x.is_positive() {
-            return y.product(&x.reciprocal()?).non_negative()?.arctangent();
-        }
-        if y.is_positive() && x.is_negative() {
-            let beyond = x.negative().product(&y.reciprocal()?).arctangent()?;
-            return Some(quarter.sum(&beyond));
+            return y.product(&x.reciprocal()?).arctangent();
         }
         if y.is_positive() {
-            let (is_zero, before) = (x.low.is_zero() && x.high.is_zero(), quarter);
-            return is_zero.then_some(before);
+            let beyond = x.negative().product(&y.reciprocal()?);
+            return Some(quarter.sum(&beyond.arctangent()?));
+        }
+        if y.is_negative() {
+            return Some(Enclosure::direction(x, &y.negative())?.negative());
         }
         let on_the_axis = y.low.is_zero() && y.high.is_zero() && x.is_negative();
         on_the_axis.then(|| quarter.sum(&quarter))
     }
 
-    /// The enclosure, if no number below 0 is in it.
-    fn non_negative(self) -> Option<Self> {
-        (self.low >= Integer::ZERO).then_some(self)
+    /// How many of its first decimal digits are known.
+    fn digits_known(&self) -> usize {
+        let width = Enclosure::new(Integer::ZERO, &self.high - &self.low, self.exponent);
+        // log₁₀ 2 is about 0.301.
+        let known = (self.magnitude() - width.magnitude()).clamp(0, 1 << 20) as usize * 301 / 1000;
+        known.saturating_sub(1)
+    }
+
+    /// Whether its first digits are known, or that it is 0 as far as any are shown.
+    pub fn is_legible(&self) -> bool {
+        let may_be_zero = !self.is_positive() && !self.is_negative();
+        self.digits_known() > 0 || (may_be_zero && self.is_narrow(self, DIGITS as i64 / 2))
     }
 
     /// As a person reads it: at most so many digits, as far as they are known.
     pub fn display(&self, digits: usize) -> String {
-        let width = Enclosure::new(Integer::ZERO, &self.high - &self.low, self.exponent);
-        // log₁₀ 2 is about 0.301.
-        let known = (self.magnitude() - width.magnitude()).clamp(0, 1 << 20) as usize * 301 / 1000;
-        match known.saturating_sub(1).min(digits) {
+        match self.digits_known().min(digits) {
             0 => "0".to_owned(),
             known => decimal(&self.middle(), known),
         }
@@ -338,33 +389,102 @@ mod tests {
         Rational::from(above) / Rational::from(below)
     }
 
+    /// Fractions of a few digits and of many, of all sizes.
     fn number() -> impl Strategy<Value = Rational> {
-        (-10_000_i64..10_000, 1_i64..1000, -80_i32..80).prop_map(|(above, below, power)| {
+        let short = (-10_000_i64..10_000, 1_i64..1000).prop_map(|(a, b)| rational(a, b));
+        let long = (any::<[i64; 10]>(), any::<[u64; 6]>()).prop_map(|(above, below)| {
+            let long = |words: &[Integer]| {
+                let shifted = |number: Integer, word: &Integer| (number << 63) + word;
+                words.iter().fold(Integer::ZERO, shifted)
+            };
+            let below = long(&below.map(Integer::from)) + Integer::ONE;
+            Rational::from(long(&above.map(Integer::from))) / Rational::from(below)
+        });
+        (prop_oneof![short, long], -2000_i32..2000).prop_map(|(number, power)| {
             let scale = Rational::from(Integer::ONE << power.unsigned_abs() as usize);
             match power < 0 {
-                true => rational(above, below) / scale,
-                false => rational(above, below) * scale,
+                true => number / scale,
+                false => number * scale,
             }
         })
     }
 
-    fn holds(own: &Enclosure, number: &Rational) -> bool {
-        own.meets(&Enclosure::from(number)) && own.is_narrow(own, 100)
+    /// Enclosures, and a number in each: some hold one number, some more.
+    fn enclosed() -> impl Strategy<Value = (Enclosure, Rational)> {
+        let share = (0_i64..=16).prop_map(|sixteenths| rational(sixteenths, 16));
+        (number(), number(), share, any::<bool>()).prop_map(
+            |(a, b, share, is_point)| match is_point {
+                true => (Enclosure::from(&a), a),
+                false => {
+                    let inner = &a + (&b - &a) * share;
+                    (Enclosure::from(&a).joined(&Enclosure::from(&b)), inner)
+                }
+            },
+        )
+    }
+
+    impl Enclosure {
+        /// Whether a number lies within the bounds, exactly.
+        fn contains(&self, number: &Rational) -> bool {
+            let unit = Rational::from(Integer::ONE << self.exponent.unsigned_abs() as usize);
+            let bound = |bound: &Integer| match self.exponent < 0 {
+                true => Rational::from(bound.clone()) / &unit,
+                false => Rational::from(bound.clone()) * &unit,
+            };
+            bound(&self.low) <= *number && *number <= bound(&self.high)
+        }
+    }
+
+    fn size(number: Rational) -> Rational {
+        match number < Rational::ZERO {
+            true => -number,
+            false => number,
+        }
     }
 
     proptest! {
         #[test]
-        fn arithmetic_is_that_of_fractions(a in number(), b in number()) {
-            let (x, y) = (Enclosure::from(&a), Enclosure::from(&b));
-            prop_assert!(x.sum(&y).meets(&Enclosure::from(&(&a + &b))));
-            prop_assert!(holds(&x.product(&y), &(&a * &b)));
-            if !a.is_zero() {
-                let inverse = x.reciprocal().expect("not 0");
-                prop_assert!(holds(&inverse, &(Rational::ONE / &a)));
+        fn arithmetic_encloses_that_of_fractions((x, a) in enclosed(), (y, b) in enclosed()) {
+            prop_assert!(x.contains(&a) && y.contains(&b));
+            prop_assert!(x.negative().contains(&-a.clone()));
+            prop_assert!(x.sum(&y).contains(&(&a + &b)));
+            prop_assert!(x.product(&y).contains(&(&a * &b)));
+            prop_assert!(x.joined(&y).contains(&a) && x.joined(&y).contains(&b));
+            if let Some(inverse) = y.reciprocal() {
+                prop_assert!(inverse.contains(&(Rational::ONE / &b)));
             }
-            let root = x.product(&x).square_root().expect("a square");
-            let size = if a < Rational::ZERO { -a } else { a };
-            prop_assert!(holds(&root, &size));
+            // u ≤ √a ≤ v where u² ≤ a ≤ v².
+            if let Some(root) = x.square_root() {
+                let square = root.product(&root);
+                prop_assert!(square.contains(&a), "{square:?}");
+            }
+            prop_assert!(!x.is_below(&y) || a < b);
+            prop_assert!(!x.is_within(&y) || y.contains(&a));
+        }
+
+        #[test]
+        fn points_are_narrow(a in number(), b in number()) {
+            let (x, y) = (Enclosure::from(&a), Enclosure::from(&b));
+            let is_narrow = |own: &Enclosure| {
+                let width = Enclosure::new(Integer::ZERO, &own.high - &own.low, own.exponent);
+                width.magnitude() <= own.magnitude() - 240
+            };
+            prop_assert!(is_narrow(&x) && is_narrow(&x.product(&y)));
+            prop_assert_eq!(x.is_below(&y), a < b);
+            if !a.is_zero() {
+                prop_assert!(is_narrow(&x.reciprocal().expect("not 0")));
+                let root = Enclosure::from(&size(a)).square_root().expect("a root");
+                prop_assert!(is_narrow(&root));
+            }
+        }
+
+        #[test]
+        fn an_arctangent_grows((x, a) in enclosed(), b in number()) {
+            let [arctangent, inner, other] =
+                [&x, &Enclosure::from(&a), &Enclosure::from(&b)].map(Enclosure::arctangent);
+            let (arctangent, inner) = (arctangent.expect("a value"), inner.expect("a value"));
+            prop_assert!(arctangent.meets(&inner));
+            prop_assert!(!inner.is_below(&other.expect("a value")) || a < b);
         }
 
         #[test]
@@ -378,6 +498,16 @@ mod tests {
             prop_assert!(length.product(&sine).meets(&y), "{sine:?}");
             prop_assert!(angle.is_narrow(&angle, 200));
         }
+    }
+
+    #[test]
+    fn what_is_hardly_known_is_not_shown() {
+        let between =
+            |a, b| Enclosure::from(&Rational::from(a)).joined(&Enclosure::from(&Rational::from(b)));
+        assert!(!between(1, 900).is_legible() && !between(-1, 1).is_legible());
+        assert!(between(0, 0).is_legible() && between(899, 900).is_legible());
+        // An arctangent of what is no number ends.
+        assert!(between(0, 1 << 23).arctangent().is_some());
     }
 
     #[test]

@@ -4,14 +4,15 @@ use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use crate::algebra::number::Rational;
+use crate::algebra::sign::Signs;
 
-use super::Failure;
 use super::assignment::{Assigned, Assignment};
 use super::describe::describe;
 use super::enclosure::Enclosure;
-use super::graph::{Graph, Node, NodeId};
+use super::graph::{Graph, Node, NodeId, Variable};
 use super::number::Number;
 use super::real::{Real, Reals};
+use super::{Failure, NoValue, Unknown};
 
 /// How many values are kept at most before they are forgotten.
 const MOST_VALUES: usize = 50_000;
@@ -41,11 +42,16 @@ impl Evaluation {
     }
 
     /// Forgets values where there are many.
-    pub fn forget(&mut self) {
+    pub fn forget_many(&mut self) {
         if self.count > MOST_VALUES {
-            self.known = Vec::new();
-            self.count = 0;
+            self.forget();
         }
+    }
+
+    /// Forgets all values.
+    pub fn forget(&mut self) {
+        self.known = Vec::new();
+        self.count = 0;
     }
 
     /// The value of a node.
@@ -55,29 +61,11 @@ impl Evaluation {
     /// [`Failure`] where it has none at this assignment, or where that cannot be told.
     pub fn value(&mut self, graph: &Graph, id: NodeId) -> Result<Number, Failure> {
         self.known.resize(graph.size().max(self.known.len()), None);
-        let mut open = vec![id];
-        while let Some(top) = open.last().copied() {
-            if self.known[Graph::place(top)].is_some() {
-                open.pop();
-                continue;
-            }
-            let before = open.len();
-            let mut push = |part| {
-                if self.known[Graph::place(part)].is_none() {
-                    open.push(part);
-                }
-            };
-            graph.node(top).visit(&mut push);
-            if let Node::Function { reference, .. } = graph.node(top) {
-                push(*reference);
-            }
-            if open.len() == before {
-                self.steps = self.steps.checked_sub(1).ok_or(Failure::TooLarge)?;
-                let value = self.compute(graph, top).and_then(moderate);
-                self.known[Graph::place(top)] = Some(Box::new(value));
-                self.count += 1;
-                open.pop();
-            }
+        for part in graph.unknown_values(id, |part| self.known[Graph::place(part)].is_some()) {
+            self.steps = self.steps.checked_sub(1).ok_or(Unknown::TooLarge)?;
+            let value = self.compute(graph, part).and_then(moderate);
+            self.known[Graph::place(part)] = Some(Box::new(value));
+            self.count += 1;
         }
         self.of(id).cloned()
     }
@@ -93,13 +81,14 @@ impl Evaluation {
         match self.known[Graph::place(id)].as_deref() {
             Some(Ok(value)) => Ok(value),
             Some(Err(failure)) => Err(*failure),
-            None => Err(Failure::Unsupported),
+            None => Err(Unknown::Unsupported.into()),
         }
     }
 
     /// The real value of a node that is known.
     fn real(&self, id: NodeId) -> Result<&Real, Failure> {
-        self.of(id)?.as_real().ok_or(Failure::NotReal)
+        let number = self.of(id)?;
+        number.as_real().ok_or_else(|| number.not_real())
     }
 
     fn compute(&mut self, graph: &Graph, id: NodeId) -> Result<Number, Failure> {
@@ -107,16 +96,16 @@ impl Evaluation {
         match graph.node(id) {
             Node::Number(number) => Ok(reals.shortened(number.clone()).into()),
             Node::ImaginaryUnit => Ok(Number::new(Rational::ZERO.into(), Rational::ONE.into())),
-            Node::Variable(id) => self.assignment.value(graph.variable(*id)),
-            Node::Cosine(id) => Ok(self.assignment.circle(graph.variable(*id)).0.into()),
-            Node::Sine(id) => Ok(self.assignment.circle(graph.variable(*id)).1.into()),
+            Node::Variable(id) => self.variable(graph.variable(*id)),
+            Node::Cosine(id) => Ok(self.assignment.circle(graph.variable(*id))?.0.into()),
+            Node::Sine(id) => Ok(self.assignment.circle(graph.variable(*id))?.1.into()),
             Node::Sum(a, b) => Ok(reals.total(self.of(*a)?, self.of(*b)?)),
             Node::Product(a, b) => Ok(reals.times(self.of(*a)?, self.of(*b)?)),
             Node::Quotient(a, b) => {
                 let below = self.of(*b)?;
                 let inverse = reals.inverse(below).ok_or(match below.is_zero() {
-                    true => Failure::DivisionByZero,
-                    false => Failure::UnknownSign,
+                    true => Failure::from(NoValue::DivisionByZero),
+                    false => Failure::from(Unknown::Sign),
                 })?;
                 Ok(reals.times(self.of(*a)?, &inverse))
             }
@@ -124,8 +113,8 @@ impl Evaluation {
             Node::Root(a) => {
                 let square = self.real(*a)?;
                 let root = reals.square_root(square).ok_or(match square.sign() {
-                    Some(_) => Failure::NegativeRadicand,
-                    None => Failure::UnknownSign,
+                    Some(_) => Failure::from(NoValue::NegativeRadicand),
+                    None => Failure::from(Unknown::Sign),
                 })?;
                 Ok(root.into())
             }
@@ -135,7 +124,23 @@ impl Evaluation {
                 self.of(*needed)?;
                 self.of(*value).cloned()
             }
+            Node::Detour(value) => self.of(*value).cloned().map_err(Failure::of_detour),
         }
+    }
+
+    /// The value of a variable. That it has a sign that the variable admits is not left to those who draw it.
+    fn variable(&self, variable: &Variable) -> Result<Number, Failure> {
+        let (value, signs) = (self.assignment.value(variable)?, variable.signs);
+        let is_admitted = signs == Signs::ANY
+            || match value.as_real().and_then(Real::sign) {
+                Some(Ordering::Less) => signs.negative,
+                Some(Ordering::Equal) => signs.zero,
+                Some(Ordering::Greater) => signs.positive,
+                None => false,
+            };
+        is_admitted
+            .then_some(value)
+            .ok_or(Unknown::NoAssignment.into())
     }
 
     /// The angle of a vector.
@@ -147,13 +152,13 @@ impl Evaluation {
     ) -> Result<Number, Failure> {
         let (x, y) = (self.real(x)?, self.real(y)?);
         if x.is_zero() && y.is_zero() {
-            return Err(Failure::ZeroVector);
+            return Err(NoValue::ZeroVector.into());
         }
         if let Some([angle, cosine, sine]) = parallel {
             let (cosine, sine) = (self.real(cosine)?, self.real(sine)?);
             let product = |a: &Real, b: &Real| self.reals.product(a, b);
             let along = self.reals.sum(&product(x, cosine), &product(y, sine));
-            if along.sign().ok_or(Failure::UnknownSign)?.is_gt() {
+            if along.sign().ok_or(Unknown::Sign)?.is_gt() {
                 return self.of(angle).cloned();
             }
         }
@@ -161,7 +166,7 @@ impl Evaluation {
             return Ok(Real::Exact(Rational::ZERO).into());
         }
         let angle = Enclosure::direction(&x.enclosure(), &y.enclosure());
-        let angle = angle.ok_or(Failure::UnknownSign)?;
+        let angle = angle.ok_or(Unknown::Sign)?;
         Ok(Real::Enclosed(angle).into())
     }
 
@@ -173,7 +178,7 @@ impl Evaluation {
             reference,
         } = graph.node(id)
         else {
-            return Err(Failure::Unsupported);
+            return Err(Unknown::Unsupported.into());
         };
         let value = self.real(*argument)?.clone();
         let bare = self.real(*reference).ok().cloned();
@@ -221,7 +226,7 @@ fn moderate(number: Number) -> Result<Number, Failure> {
         Real::Exact(_) => false,
     };
     match is_extreme(&number.real) || number.imaginary.as_ref().is_some_and(is_extreme) {
-        true => Err(Failure::TooLarge),
+        true => Err(Unknown::TooLarge.into()),
         false => Ok(number),
     }
 }

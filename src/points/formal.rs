@@ -14,7 +14,7 @@ type Residue = (u64, u64);
 #[derive(Clone, Debug)]
 pub struct Formal {
     modulus: u64,
-    seed: u64,
+    seed: [u64; 2],
     known: Vec<Option<Option<Residue>>>,
 }
 
@@ -30,9 +30,9 @@ enum Owner {
 
 impl Formal {
     /// Values that depend on a seed: the modulus too.
-    pub fn new(seed: u64) -> Self {
+    pub fn new(seed: [u64; 2]) -> Self {
         const SMALL_PRIMES: [u64; 8] = [2, 3, 5, 7, 11, 13, 17, 19];
-        let mut modulus = mix(seed) >> 2 | 1 << 61;
+        let mut modulus = mix(seed[0] ^ mix(seed[1])) >> 2 | 1 << 61;
         while SMALL_PRIMES
             .iter()
             .any(|prime| modulus.is_multiple_of(*prime))
@@ -46,26 +46,16 @@ impl Formal {
         }
     }
 
+    /// Forgets the values of the nodes from a place on.
+    pub fn forget(&mut self, size: usize) {
+        self.known.truncate(size);
+    }
+
     /// Whether a node is 0; nothing where it has no value here.
     pub fn vanishes(&mut self, graph: &Graph, id: NodeId) -> Option<bool> {
         self.known.resize(graph.size().max(self.known.len()), None);
-        let mut open = vec![id];
-        while let Some(top) = open.last().copied() {
-            if self.known[Graph::place(top)].is_some() {
-                open.pop();
-                continue;
-            }
-            let before = open.len();
-            graph.node(top).visit(&mut |part| {
-                if self.known[Graph::place(part)].is_none() {
-                    open.push(part);
-                }
-            });
-            if open.len() == before {
-                let value = self.compute(graph.node(top));
-                self.known[Graph::place(top)] = Some(value);
-                open.pop();
-            }
+        for part in graph.unknown(id, |part| self.known[Graph::place(part)].is_some()) {
+            self.known[Graph::place(part)] = Some(self.compute(graph.node(part)));
         }
         Some(self.of(id)? == (0, 0))
     }
@@ -117,6 +107,7 @@ impl Formal {
                 self.of(*needed)?;
                 self.of(*value)
             }
+            Node::Detour(value) => self.of(*value),
         }
     }
 
@@ -130,8 +121,13 @@ impl Formal {
             Owner::Function(id, order) => [5, id.number(), u64::from(order)],
         };
         let place = place.iter().flat_map(|(a, b)| [*a, *b]);
-        let state = words.into_iter().chain(place);
-        state.fold(self.seed, |state, word| mix(state ^ word)) % self.modulus
+        let words = words.into_iter().chain(place);
+        let [a, b] = words.fold(self.seed, |[a, b], word| {
+            let a = mix(a ^ word);
+            [a, mix(b ^ a)]
+        });
+        let state = u128::from(a) << 64 | u128::from(b);
+        (state % u128::from(self.modulus)) as u64
     }
 
     /// A point of the circle.

@@ -8,8 +8,8 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use crate::algebra::number::Rational;
 use crate::algebra::sign::Signs;
 
-use super::Failure;
 use super::real::exact_root;
+use super::{Failure, NoValue, Unknown};
 
 /// The most nodes of a graph; what needs more is given up.
 const MOST_NODES: usize = 1_000_000;
@@ -133,6 +133,8 @@ pub enum Node {
         /// The other one.
         needed: NodeId,
     },
+    /// A value that was found by steps which it does not ask for: it may exist where one of them fails.
+    Detour(NodeId),
 }
 
 impl Node {
@@ -148,7 +150,7 @@ impl Node {
                 visit(*a);
                 visit(*b);
             }
-            Node::Power(a, _) | Node::Root(a) => visit(*a),
+            Node::Power(a, _) | Node::Root(a) | Node::Detour(a) => visit(*a),
             Node::Direction { x, y, parallel } => {
                 visit(*x);
                 visit(*y);
@@ -172,12 +174,10 @@ struct Traits {
     real: bool,
     /// Whether it rests on a root or on the angle of a vector, whose values depend on signs.
     branched: bool,
-    /// Whether every value of it is above 0, as far as its parts tell.
-    positive: bool,
-    /// Whether no value of it is below 0, as far as its parts tell.
-    non_negative: bool,
-    /// Whether every value of it is below 0, as far as its parts tell.
-    negative: bool,
+    /// Whether it rests on a detour.
+    detour: bool,
+    /// The signs that its values have, as far as its parts tell; any where one may not be real.
+    signs: Signs,
 }
 
 /// A graph.
@@ -239,7 +239,7 @@ impl Graph {
 
     /// Whether every value of a node is above 0, as far as its parts tell.
     pub fn is_positive(&self, id: NodeId) -> bool {
-        self.traits[id.0 as usize].positive
+        self.signs(id).is_positive()
     }
 
     /// Whether a node rests on a root or on the angle of a vector.
@@ -252,23 +252,19 @@ impl Graph {
             total: true,
             real: true,
             branched: false,
-            positive: false,
-            non_negative: false,
-            negative: false,
+            detour: matches!(node, Node::Detour(_)),
+            signs: Signs::ANY,
         };
         node.visit(&mut |part| {
             let part = self.traits[part.0 as usize];
             traits.total &= part.total;
             traits.real &= part.real;
             traits.branched |= part.branched;
+            traits.detour |= part.detour;
         });
-        let signs = match self.signs_of(node) {
-            _ if !traits.real && !matches!(node, Node::Root(_)) => Signs::ANY,
-            signs => signs,
-        };
-        traits.positive = signs.is_positive();
-        traits.non_negative = signs.is_non_negative();
-        traits.negative = signs == Signs::NEGATIVE;
+        if traits.real || matches!(node, Node::Root(_)) {
+            traits.signs = self.signs_of(node);
+        }
         match node {
             Node::ImaginaryUnit => traits.real = false,
             Node::Variable(id) => traits.real = self.variable(*id).kind != Kind::Complex,
@@ -286,15 +282,7 @@ impl Graph {
 
     /// The signs that a real node can have, as far as its parts tell.
     fn signs_of(&self, node: &Node) -> Signs {
-        let of = |part: &NodeId| {
-            let part = self.traits[part.0 as usize];
-            match (part.positive, part.non_negative, part.negative) {
-                (true, ..) => Signs::POSITIVE,
-                (_, true, _) => Signs::NON_NEGATIVE,
-                (_, _, true) => Signs::NEGATIVE,
-                _ => Signs::ANY,
-            }
-        };
+        let of = |part: &NodeId| self.traits[part.0 as usize].signs;
         match node {
             Node::Number(number) => Signs::of_integer(number.numerator()),
             Node::Variable(id) => self.variable(*id).signs,
@@ -306,7 +294,7 @@ impl Graph {
                 Signs::POSITIVE => Signs::POSITIVE,
                 _ => Signs::NON_NEGATIVE,
             },
-            Node::Guarded { value, .. } => of(value),
+            Node::Guarded { value, .. } | Node::Detour(value) => of(value),
             _ => Signs::ANY,
         }
     }
@@ -317,7 +305,7 @@ impl Graph {
             return Ok(*known);
         }
         if self.nodes.len() >= MOST_NODES {
-            return Err(Failure::TooLarge);
+            return Err(Unknown::TooLarge.into());
         }
         let id = NodeId(self.nodes.len() as u32);
         self.traits.push(self.traits_of(&node));
@@ -332,6 +320,10 @@ impl Graph {
             Node::Number(number) => Some(number),
             _ => None,
         }
+    }
+
+    fn signs(&self, id: NodeId) -> Signs {
+        self.traits[id.0 as usize].signs
     }
 
     fn is(&self, id: NodeId, number: i32) -> bool {
@@ -450,7 +442,7 @@ impl Graph {
     /// a/b
     pub fn quotient(&mut self, a: NodeId, b: NodeId) -> Made {
         match self.as_number(b) {
-            Some(number) if number.is_zero() => Err(Failure::DivisionByZero),
+            Some(number) if number.is_zero() => Err(NoValue::DivisionByZero.into()),
             Some(number) => {
                 let inverse = Rational::ONE / number;
                 self.scaled(a, inverse)
@@ -461,7 +453,8 @@ impl Graph {
 
     /// aⁿ; for a negative n the power of 1/a.
     pub fn power(&mut self, a: NodeId, exponent: i64) -> Made {
-        let size = u32::try_from(exponent.unsigned_abs()).map_err(|_| Failure::TooLarge)?;
+        let size =
+            u32::try_from(exponent.unsigned_abs()).map_err(|_| Failure::from(Unknown::TooLarge))?;
         if exponent < 0 {
             let one = self.integer(1)?;
             let power = self.power(a, i64::from(size))?;
@@ -492,16 +485,16 @@ impl Graph {
     /// √a
     pub fn root(&mut self, a: NodeId) -> Made {
         match self.as_number(a) {
-            Some(number) if *number < Rational::ZERO => Err(Failure::NegativeRadicand),
+            Some(number) if *number < Rational::ZERO => Err(NoValue::NegativeRadicand.into()),
             Some(number) => match exact_root(number) {
                 Some(root) => self.number(root),
                 None => self.join(Node::Root(a)),
             },
             None => match *self.node(a) {
-                Node::Power(base, n) if n % 2 == 0 && self.traits[base.0 as usize].non_negative => {
+                Node::Power(base, n) if n % 2 == 0 && self.signs(base).is_non_negative() => {
                     self.power(base, i64::from(n / 2))
                 }
-                Node::Power(base, n) if n % 2 == 0 && self.traits[base.0 as usize].negative => {
+                Node::Power(base, n) if n % 2 == 0 && self.signs(base) == Signs::NEGATIVE => {
                     let size = self.negative(base)?;
                     self.power(size, i64::from(n / 2))
                 }
@@ -513,7 +506,7 @@ impl Graph {
     /// The angle of (x, y), with the angle that it is a multiple of, if there is one.
     pub fn angle_of(&mut self, x: NodeId, y: NodeId, parallel: Option<[NodeId; 3]>) -> Made {
         if self.is_zero(x) && self.is_zero(y) {
-            return Err(Failure::ZeroVector);
+            return Err(NoValue::ZeroVector.into());
         }
         self.join(Node::Direction { x, y, parallel })
     }
@@ -542,30 +535,72 @@ impl Graph {
         }
     }
 
+    /// A value that may exist where a step by which it was found fails.
+    pub fn by_detour(&mut self, value: NodeId) -> Made {
+        match self.is_total(value) {
+            true => Ok(value),
+            false => self.join(Node::Detour(value)),
+        }
+    }
+
+    /// What it tells of a node that a part of it, or the image of one, has no value.
+    pub fn failure_within(&self, id: NodeId, failure: Failure) -> Failure {
+        match self.traits[id.0 as usize].detour {
+            true => failure.of_detour(),
+            false => failure,
+        }
+    }
+
+    /// Forgets the nodes from a place on; no node before it rests on them.
+    pub fn truncate(&mut self, size: usize) {
+        for node in self.nodes.drain(size..) {
+            self.places.remove(&node);
+        }
+        self.traits.truncate(size);
+    }
+
     /// The nodes that some nodes rest on, and these, each behind those that it rests on.
     pub fn below(&self, roots: &[NodeId]) -> Vec<NodeId> {
-        self.reached(roots, |node, part| node.visit(part))
+        self.reached(roots, |_| false, |node, part| node.visit(part))
+    }
+
+    /// The nodes that one rests on, and it, each behind those that it rests on, without the known ones and
+    /// what only these rest on.
+    pub fn unknown(&self, root: NodeId, is_known: impl Fn(NodeId) -> bool) -> Vec<NodeId> {
+        self.reached(&[root], is_known, |node, part| node.visit(part))
+    }
+
+    /// The same, with the places of the bare names of functions, which tell how a value is called.
+    pub fn unknown_values(&self, root: NodeId, is_known: impl Fn(NodeId) -> bool) -> Vec<NodeId> {
+        self.reached(&[root], is_known, |node, part| {
+            node.visit(part);
+            if let Node::Function { reference, .. } = node {
+                part(*reference);
+            }
+        })
     }
 
     /// The nodes that the values of some nodes are made of, and these: without what need only exist.
     pub fn within(&self, roots: &[NodeId]) -> Vec<NodeId> {
-        self.reached(roots, |node, part| match node {
+        let parts = |node: &Node, part: &mut dyn FnMut(NodeId)| match node {
             Node::Guarded { value, .. } => part(*value),
             node => node.visit(part),
-        })
+        };
+        self.reached(roots, |_| false, parts)
     }
 
-    /// The nodes that are reached from some nodes by way of some of their parts, and these, each behind
+    /// The nodes that are not known and reached from some nodes by way of some of their parts, each behind
     /// those that it rests on.
     fn reached(
         &self,
         roots: &[NodeId],
+        is_known: impl Fn(NodeId) -> bool,
         parts: impl Fn(&Node, &mut dyn FnMut(NodeId)),
     ) -> Vec<NodeId> {
         let mut open = roots.to_vec();
         let mut found = FxHashSet::default();
         while let Some(id) = open.pop() {
-            if found.insert(id) {
+            if !is_known(id) && found.insert(id) {
                 parts(self.node(id), &mut |part| open.push(part));
             }
         }

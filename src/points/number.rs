@@ -3,6 +3,7 @@
 use crate::algebra::number::Rational;
 
 use super::real::{Real, Reals};
+use super::{Failure, NoValue, Unknown};
 
 /// A number; one without an imaginary part is known to be real.
 #[derive(Clone, Debug)]
@@ -35,6 +36,20 @@ impl Number {
             None => Some(&self.real),
             Some(_) => None,
         }
+    }
+
+    /// Why one that is not known to be real is not taken as a real number.
+    pub fn not_real(&self) -> Failure {
+        let imaginary = self.imaginary.as_ref().and_then(Real::sign);
+        match imaginary.is_some() {
+            true => NoValue::NotReal.into(),
+            false => Unknown::Sign.into(),
+        }
+    }
+
+    /// Whether enough of it is known to be shown.
+    pub fn is_legible(&self) -> bool {
+        self.real.is_legible() && self.imaginary.as_ref().is_none_or(Real::is_legible)
     }
 
     /// Both parts.

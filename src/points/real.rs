@@ -64,6 +64,14 @@ impl Real {
         }
     }
 
+    /// Whether enough of it is known to be shown.
+    pub fn is_legible(&self) -> bool {
+        match self {
+            Real::Exact(_) => true,
+            Real::Enclosed(enclosure) => enclosure.is_legible(),
+        }
+    }
+
     /// As a person reads it: a fraction, or the digits that are known.
     pub fn display(&self) -> String {
         const DIGITS_SHOWN: usize = 20;

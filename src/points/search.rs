@@ -25,9 +25,14 @@ const SHORT: usize = 100;
 const LONG: usize = 2_000;
 
 const fn size(numerator: u64, denominator: u64) -> Size {
+    with_zeros(numerator, denominator, 0)
+}
+
+const fn with_zeros(numerator: u64, denominator: u64, zeros: u64) -> Size {
     Size {
         numerator,
         denominator,
+        zeros,
     }
 }
 
@@ -49,6 +54,30 @@ const SMALL: [Size; 5] = [
     size(1_000, 1_000_000),
 ];
 
+/// Numbers at which values are missing more often than elsewhere: 0, and what coincides.
+const DEGENERATE: [Size; 6] = [
+    with_zeros(1, 1, 4),
+    with_zeros(1, 1, 0),
+    with_zeros(2, 1, 2),
+    with_zeros(2, 1, 2),
+    with_zeros(3, 1, 1),
+    with_zeros(1, 1, 3),
+];
+
+/// How many degenerate assignments there are.
+pub const DEGENERATE_PLACES: u64 = DEGENERATE.len() as u64;
+
+/// What assignments are for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// To tell apart what is not equal.
+    Trust,
+    /// To be shown.
+    Show,
+    /// To find where there is no value.
+    Existence,
+}
+
 /// An inequality between nodes that is assumed.
 #[derive(Clone, Copy, Debug)]
 pub struct Assumed {
@@ -69,33 +98,57 @@ pub struct Search {
     pub measured: Arc<BTreeSet<String>>,
     /// The inequalities.
     pub assumed: Vec<Assumed>,
-    /// Whether small numbers are wanted, and exact values.
-    pub is_simple: bool,
+    /// Which numbers are wanted.
+    pub purpose: Purpose,
 }
 
 impl Search {
     /// An evaluation at an assignment, counted from 0; nothing where none is found that satisfies what is
-    /// assumed: the values of an inequality that does not hold are drawn again.
-    pub fn find(&self, graph: &Graph, place: u64) -> Option<Evaluation> {
-        let longest = if self.is_simple { LONG } else { SHORT };
+    /// assumed: the values of an inequality that does not hold are drawn again. The operations count among
+    /// those that are left, which they do not depend on.
+    pub fn find(&self, graph: &Graph, place: u64, left: &mut usize) -> Option<Evaluation> {
+        if self.signs.values().any(|signs| *signs == Signs::NONE) {
+            return None;
+        }
+        let mut steps = MOST_OPERATIONS;
+        let found = self.drawn(graph, place, &mut steps);
+        *left = left.saturating_sub(MOST_OPERATIONS - steps);
+        found
+    }
+
+    /// Evaluations at the first so many assignments that are found.
+    pub fn find_all(&self, graph: &Graph, places: u64) -> Vec<Evaluation> {
+        let mut left = 10 * MOST_OPERATIONS;
+        let places = 0..places;
+        let found =
+            places.map_while(|place| (left > 0).then(|| self.find(graph, place, &mut left)));
+        found.flatten().collect()
+    }
+
+    fn drawn(&self, graph: &Graph, place: u64, steps: &mut usize) -> Option<Evaluation> {
+        let longest = match self.purpose {
+            Purpose::Trust => SHORT,
+            Purpose::Show | Purpose::Existence => LONG,
+        };
         let (signs, measured) = (Arc::clone(&self.signs), Arc::clone(&self.measured));
         let mut assignment = Assignment::new(self.draw(place, 0), signs, measured);
-        let mut steps = MOST_OPERATIONS;
         for attempt in 1..=MOST_ATTEMPTS {
             let mut evaluation = Evaluation::new(assignment.clone(), Reals { longest });
-            evaluation.steps = steps;
+            evaluation.steps = *steps;
             let broken = self.broken(graph, &mut evaluation);
-            steps = evaluation.steps;
+            // Every attempt takes one, so that attempts end with the operations.
+            *steps = evaluation.steps.saturating_sub(1);
             let Some(broken) = broken else {
                 evaluation.steps = usize::MAX;
                 return Some(evaluation);
             };
-            if steps == 0 {
+            if *steps == 0 {
                 return None;
             }
             let names = names_of(graph, &[broken.left, broken.right]);
             let draw = self.draw(place, attempt);
-            let chosen = draw.seed as usize % names.len().max(1);
+            // The one that is drawn alone moves on, or two inequalities could break each other in step.
+            let chosen = (draw.seed + attempt / 8) as usize % names.len().max(1);
             for (index, name) in names.iter().enumerate() {
                 if attempt % 2 == 1 || index == chosen {
                     assignment.redraw(name, draw);
@@ -125,15 +178,20 @@ impl Search {
 
     fn draw(&self, place: u64, attempt: u64) -> Draw {
         let seed = seed(place, attempt);
-        match self.is_simple {
-            true => {
-                let larger = (place / 40 + attempt / 40) as usize;
-                Draw {
-                    seed: 1_000_000 + seed,
-                    size: SMALL[larger.min(SMALL.len() - 1)],
-                }
-            }
-            false => Draw {
+        let larger = (place / 40 + attempt / 40) as usize;
+        let simple = Draw {
+            seed: 1_000_000 + seed,
+            size: SMALL[larger.min(SMALL.len() - 1)],
+        };
+        match self.purpose {
+            Purpose::Show => simple,
+            // What is assumed may want larger numbers.
+            Purpose::Existence if attempt >= 40 => simple,
+            Purpose::Existence => Draw {
+                seed: 2_000_000 + seed,
+                size: DEGENERATE[(place % DEGENERATE_PLACES) as usize],
+            },
+            Purpose::Trust => Draw {
                 seed,
                 size: LARGE[((place + attempt) % LARGE.len() as u64) as usize],
             },

@@ -6,11 +6,11 @@ use rustc_hash::FxHashMap;
 
 use crate::algebra::number::Rational;
 
-use super::Failure;
 use super::derivative::By;
 use super::graph::{FunctionId, Made, Node, NodeId, VariableId};
 use super::sheet::Sheet;
 use super::substitution::Substitution;
+use super::{Failure, NoValue, Unknown};
 
 /// Σ tₖ εⁿ⁺ᵏ; of one that is not exact nothing is known behind its last term.
 #[derive(Clone, Debug)]
@@ -39,6 +39,15 @@ impl Series {
         }
     }
 
+    /// 0
+    fn zero() -> Self {
+        Series {
+            first: 0,
+            terms: Vec::new(),
+            is_exact: true,
+        }
+    }
+
     /// The power behind the last that is known.
     fn end(&self) -> i64 {
         self.first + self.terms.len() as i64
@@ -48,14 +57,14 @@ impl Series {
     ///
     /// # Errors
     ///
-    /// [`Failure::NoExpansion`] where it is not known.
+    /// [`Unknown::NoExpansion`] where it is not known.
     pub fn term(&self, power: i64) -> Result<Option<NodeId>, Failure> {
         let place = usize::try_from(power - self.first).ok();
         match place {
             None => Ok(None),
             Some(place) if place < self.terms.len() => Ok(Some(self.terms[place])),
             Some(_) if self.is_exact => Ok(None),
-            Some(_) => Err(Failure::NoExpansion),
+            Some(_) => Err(Unknown::NoExpansion.into()),
         }
     }
 
@@ -117,7 +126,7 @@ impl Expansion {
             By::Function(function, order, place) => {
                 functions.push(((function, order, place), Some(series)));
             }
-            By::Time => return Err(Failure::NoVariable),
+            By::Time => return Err(Unknown::NoVariable.into()),
         }
         Ok(Expansion {
             small,
@@ -132,13 +141,12 @@ impl Expansion {
     ///
     /// # Errors
     ///
-    /// [`Failure::NoExpansion`] where it has none of the wanted length.
+    /// [`Unknown::NoExpansion`] where it has none of the wanted length.
     pub fn of(&mut self, root: NodeId, sheet: &mut Sheet) -> Expanded {
-        for id in sheet.graph.below(&[root]) {
-            if !self.known.contains_key(&id) {
-                let series = self.rule(id, sheet)?.shortened(self.length);
-                self.known.insert(id, series);
-            }
+        for id in sheet.graph.unknown(root, |id| self.known.contains_key(&id)) {
+            let series = self.rule(id, sheet);
+            let series = series.map_err(|failure| sheet.graph.failure_within(root, failure));
+            self.known.insert(id, series?.shortened(self.length));
         }
         Ok(self.known[&root].clone())
     }
@@ -147,7 +155,7 @@ impl Expansion {
         let node = sheet.graph.node(id).clone();
         let mut changes = false;
         node.visit(&mut |part| changes |= !self.stays(part));
-        let of = |part: &NodeId| self.known.get(part).ok_or(Failure::Unsupported);
+        let of = |part: &NodeId| self.known.get(part).ok_or(Unknown::Unsupported);
         match &node {
             Node::Variable(variable) => Ok(match self.small.get(variable) {
                 Some(series) => series.clone(),
@@ -178,10 +186,7 @@ impl Expansion {
                 })
             }
             _ if !changes => Ok(match sheet.graph.is_zero(id) {
-                true => Series {
-                    terms: Vec::new(),
-                    ..Series::single(id, 0)
-                },
+                true => Series::zero(),
                 false => Series::single(id, 0),
             }),
             Node::Number(_) | Node::ImaginaryUnit => Ok(Series::single(id, 0)),
@@ -195,6 +200,13 @@ impl Expansion {
             Node::Root(a) => self.root(of(a)?, sheet),
             Node::Direction { x, y, .. } => self.direction(of(x)?, of(y)?, sheet),
             Node::Guarded { value, .. } => Ok(of(value)?.clone()),
+            Node::Detour(value) => {
+                let mut series = of(value)?.clone();
+                for term in &mut series.terms {
+                    *term = sheet.graph.by_detour(*term)?;
+                }
+                Ok(series)
+            }
         }
     }
 
@@ -271,8 +283,8 @@ impl Expansion {
         })
     }
 
-    /// The series from its first term on that is not 0 everywhere.
-    fn leading(&self, a: &Series, sheet: &mut Sheet) -> Expanded {
+    /// The series from its first term on that is not 0 everywhere; nothing where it is 0.
+    pub fn leading(&self, a: &Series, sheet: &mut Sheet) -> Result<Option<Series>, Failure> {
         let mut zeros = 0;
         while zeros < a.terms.len() && sheet.vanishes(a.terms[zeros])? {
             zeros += 1;
@@ -283,15 +295,17 @@ impl Expansion {
             is_exact: a.is_exact,
         };
         match found.terms.is_empty() {
-            true if a.is_exact => Err(Failure::DivisionByZero),
-            true => Err(Failure::NoExpansion),
-            false if found.first != 0 && !self.allows_poles => Err(Failure::NoExpansion),
-            false => Ok(found),
+            true if a.is_exact => Ok(None),
+            true => Err(Unknown::NoExpansion.into()),
+            false => Ok(Some(found)),
         }
     }
 
     fn inverse(&self, a: &Series, sheet: &mut Sheet) -> Expanded {
-        let a = self.leading(a, sheet)?;
+        let a = self.leading(a, sheet)?.ok_or(NoValue::DivisionByZero)?;
+        if a.first != 0 && !self.allows_poles {
+            return Err(NoValue::DivisionByZero.into());
+        }
         let one = sheet.graph.integer(1)?;
         let leading = sheet.graph.quotient(one, a.terms[0])?;
         let mut terms = vec![leading];
@@ -343,9 +357,13 @@ impl Expansion {
 
     /// r with r² = a: 2 r₀ rₖ = aₖ − Σ rⱼ rₖ₋ⱼ.
     fn root(&self, a: &Series, sheet: &mut Sheet) -> Expanded {
-        let a = self.leading(a, sheet)?;
-        if a.first != 0 {
-            return Err(Failure::NoExpansion);
+        let Some(a) = self.leading(a, sheet)? else {
+            return Ok(Series::zero());
+        };
+        match (a.first, self.allows_poles) {
+            (0, _) => {}
+            (_, false) => return Err(NoValue::NotSmooth.into()),
+            (_, true) => return Err(Unknown::NoExpansion.into()),
         }
         let leading = sheet.graph.root(a.terms[0])?;
         let twice = sheet.graph.scaled(leading, Rational::from(2))?;
@@ -364,8 +382,8 @@ impl Expansion {
                 None => sheet.graph.integer(0)?,
             };
             let rest = sheet.graph.difference(own, squares)?;
-            terms.push(match sheet.graph.is_zero(rest) {
-                true => rest,
+            terms.push(match sheet.surely_vanishes(rest) {
+                true => sheet.graph.integer(0)?,
                 false => sheet.graph.quotient(rest, twice)?,
             });
         }
@@ -384,7 +402,7 @@ impl Expansion {
         derivative: impl Fn(&mut Sheet, u32, NodeId) -> Made,
     ) -> Expanded {
         if argument.first < 0 {
-            return Err(Failure::NoExpansion);
+            return Err(Unknown::NoExpansion.into());
         }
         let base = match argument.term(0)? {
             Some(base) => base,
@@ -432,7 +450,7 @@ impl Expansion {
     /// cos h or sin h of a small angle h.
     fn circular(&self, node: &Node, turn: &Series, sheet: &mut Sheet) -> Expanded {
         if turn.first < 1 {
-            return Err(Failure::NotAnAngle);
+            return Err(Unknown::NotAnAngle.into());
         }
         let first = u32::from(matches!(node, Node::Sine(_))) * 3;
         self.composed(turn, sheet, |sheet, k, _| {
@@ -445,7 +463,7 @@ impl Expansion {
     /// β with β′ = (x y′ − y x′)/(x² + y²).
     fn direction(&self, x: &Series, y: &Series, sheet: &mut Sheet) -> Expanded {
         if x.first < 0 || y.first < 0 {
-            return Err(Failure::NoExpansion);
+            return Err(Unknown::NoExpansion.into());
         }
         let zero = sheet.graph.integer(0)?;
         let start = [x.term(0)?.unwrap_or(zero), y.term(0)?.unwrap_or(zero)];
@@ -488,15 +506,12 @@ impl Expansion {
     }
 }
 
-/// The most terms of a polynomial.
-const MOST_TERMS: usize = 40;
-
 impl Sheet {
     /// The terms of total degree 0, …, `order` of a node in small variables and values of functions.
     ///
     /// # Errors
     ///
-    /// [`Failure::NoExpansion`] where there is none.
+    /// [`Unknown::NoExpansion`] where there is none.
     pub fn parts(
         &mut self,
         node: NodeId,
@@ -517,58 +532,5 @@ impl Sheet {
             parts.push(self.graph.guarded(part, needed)?);
         }
         Ok(parts)
-    }
-
-    /// The coefficient of a power of a variable.
-    ///
-    /// # Errors
-    ///
-    /// [`Failure::NoPolynomial`] where it is not found.
-    pub fn coefficient(&mut self, node: NodeId, by: By, power: u32) -> Made {
-        let mut length = power as usize + 2;
-        loop {
-            let mut expansion = Expansion::by_powers(by, 1, length, self)?;
-            let term = expansion
-                .of(node, self)
-                .and_then(|series| series.term(i64::from(power)));
-            match term {
-                Ok(Some(term)) => return Ok(term),
-                Ok(None) => return self.graph.integer(0),
-                Err(Failure::NoExpansion) if length < MOST_TERMS + power as usize => length *= 2,
-                Err(Failure::NoExpansion) => return Err(Failure::NoPolynomial),
-                Err(failure) => return Err(failure),
-            }
-        }
-    }
-
-    /// The coefficients of a polynomial in a variable, that of the highest power first.
-    ///
-    /// # Errors
-    ///
-    /// [`Failure::NoPolynomial`] where its degree is too high.
-    pub fn falling_coefficients(&mut self, node: NodeId, by: By) -> Result<Vec<NodeId>, Failure> {
-        let mut length = 8;
-        loop {
-            let mut expansion = Expansion::by_powers(by, -1, length, self)?;
-            let series = match expansion.of(node, self) {
-                Ok(series) => expansion.leading(&series, self),
-                Err(failure) => Err(failure),
-            };
-            let coefficients = series.and_then(|series| {
-                let degree = u32::try_from(-series.first).map_err(|_| Failure::NoPolynomial)?;
-                let powers = (0..=i64::from(degree)).map(|place| series.term(series.first + place));
-                powers.collect::<Result<Vec<Option<NodeId>>, Failure>>()
-            });
-            match coefficients {
-                Ok(found) => {
-                    let zero = self.graph.integer(0)?;
-                    return Ok(found.into_iter().map(|term| term.unwrap_or(zero)).collect());
-                }
-                Err(Failure::DivisionByZero) => return Ok(Vec::new()),
-                Err(Failure::NoExpansion) if length < MOST_TERMS => length *= 2,
-                Err(Failure::NoExpansion) => return Err(Failure::NoPolynomial),
-                Err(failure) => return Err(failure),
-            }
-        }
     }
 }

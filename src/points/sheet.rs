@@ -2,14 +2,15 @@
 
 use crate::algebra::number::Rational;
 
-use super::Failure;
 use super::evaluation::Evaluation;
-use super::formal::{Formal, mix};
+use super::formal::Formal;
 use super::graph::{Graph, Made, NodeId};
 use super::number::Number;
+use super::{Failure, Unknown};
 
-/// How many moduli an identity is checked with.
-const MODULI: u64 = 2;
+/// Numbers that nobody can know who writes the text that they depend on: two for each modulus with which an
+/// identity is checked.
+pub type Salt = [[u64; 2]; 2];
 
 /// At how many assignments values are compared.
 const ENOUGH: usize = 2;
@@ -28,28 +29,36 @@ pub struct Sheet {
 }
 
 impl Sheet {
-    /// A sheet with some evaluations; `salt` is a number that the author of a document cannot know.
-    pub fn new(graph: Graph, generic: Vec<Evaluation>, salt: u64) -> Self {
-        let seeds = (0..MODULI).map(|place| mix(salt ^ mix(place)));
+    /// A sheet with some evaluations.
+    pub fn new(graph: Graph, generic: Vec<Evaluation>, salt: Salt) -> Self {
         Sheet {
             graph,
-            formal: seeds.map(Formal::new).collect(),
+            formal: salt.map(Formal::new).into(),
             generic,
         }
+    }
+
+    /// Forgets the nodes from a place on, and the values of all.
+    pub fn forget(&mut self, size: usize) {
+        self.graph.truncate(size);
+        self.formal
+            .iter_mut()
+            .for_each(|formal| formal.forget(size));
+        self.generic.iter_mut().for_each(Evaluation::forget);
     }
 
     /// Whether a node is 0 under every assignment at which it has a value.
     ///
     /// # Errors
     ///
-    /// [`Failure::UnknownIdentity`] where that cannot be told: roots and the angles of vectors may depend
+    /// [`Unknown::Identity`] where that cannot be told: roots and the angles of vectors may depend
     /// on each other.
     pub fn vanishes(&mut self, id: NodeId) -> Result<bool, Failure> {
         if let Some(number) = self.graph.as_number(id) {
             return Ok(number.is_zero());
         }
         match self.vanishes_formally(id) {
-            None => return Err(Failure::UnknownIdentity),
+            None => return Err(Unknown::Identity.into()),
             Some(true) => return Ok(true),
             Some(false) if !self.graph.is_branched(id) => return Ok(false),
             Some(false) => {}
@@ -62,7 +71,7 @@ impl Sheet {
         let mut values = values.flatten();
         match values.any(|value| value.differs_from_zero()) {
             true => Ok(false),
-            false => Err(Failure::UnknownIdentity),
+            false => Err(Unknown::Identity.into()),
         }
     }
 
@@ -78,10 +87,18 @@ impl Sheet {
         Some(seen?.into_iter().all(|vanishes| vanishes))
     }
 
+    /// Whether a node is seen to be 0 without a look at assignments.
+    pub fn surely_vanishes(&mut self, id: NodeId) -> bool {
+        match self.graph.as_number(id) {
+            Some(number) => number.is_zero(),
+            None => self.vanishes_formally(id) == Some(true),
+        }
+    }
+
     /// Whether two nodes are seen to be equal without a look at assignments.
     pub fn is_surely_same(&mut self, a: NodeId, b: NodeId) -> bool {
-        let difference = self.graph.difference(a, b).ok();
-        difference.and_then(|difference| self.vanishes_formally(difference)) == Some(true)
+        let difference = self.graph.difference(a, b);
+        difference.is_ok_and(|difference| self.surely_vanishes(difference))
     }
 
     /// Whether two nodes are equal under every assignment at which both have values.
@@ -107,7 +124,7 @@ impl Sheet {
         if self.is_surely_same(a, b) {
             return Ok(true);
         }
-        let (mut seen, mut why) = (0, Failure::UnknownSign);
+        let (mut seen, mut why) = (0, Failure::from(Unknown::Sign));
         for evaluation in &mut self.generic {
             let value = |id| evaluation.value(&self.graph, id);
             match [a, b].map(value) {

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use rustc_hash::FxHashMap;
 
-use super::Failure;
 use super::graph::{FunctionId, Made, Node, NodeId, VariableId};
 use super::sheet::Sheet;
+use super::{Failure, Unknown};
 
 /// What replaces what, all at once.
 #[derive(Clone, Debug, Default)]
@@ -26,18 +26,17 @@ impl Substitution {
     ///
     /// [`Failure`] where what comes out has no value anywhere, or cannot be followed.
     pub fn of(&mut self, root: NodeId, sheet: &mut Sheet) -> Made {
-        for id in sheet.graph.below(&[root]) {
-            if !self.known.contains_key(&id) {
-                let image = self.rule(id, sheet)?;
-                self.known.insert(id, image);
-            }
+        for id in sheet.graph.unknown(root, |id| self.known.contains_key(&id)) {
+            let image = self.rule(id, sheet);
+            let image = image.map_err(|failure| sheet.graph.failure_within(root, failure))?;
+            self.known.insert(id, image);
         }
         Ok(self.known[&root])
     }
 
     fn rule(&mut self, id: NodeId, sheet: &mut Sheet) -> Made {
         let node = sheet.graph.node(id).clone();
-        let of = |part: &NodeId| self.known.get(part).copied().ok_or(Failure::Unsupported);
+        let of = |part: &NodeId| self.known.get(part).copied().ok_or(Unknown::Unsupported);
         match &node {
             Node::Number(_) | Node::ImaginaryUnit => Ok(id),
             Node::Variable(variable) => Ok(self.variables.get(variable).copied().unwrap_or(id)),
@@ -77,6 +76,7 @@ impl Substitution {
                 let (value, needed) = (of(value)?, of(needed)?);
                 sheet.graph.guarded(value, needed)
             }
+            Node::Detour(value) => sheet.graph.by_detour(of(value)?),
         }
     }
 

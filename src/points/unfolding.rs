@@ -10,12 +10,12 @@ use crate::algebra::number::Rational;
 use crate::algebra::sign::Signs;
 use crate::derivation::syntax::{Expression, Name, Node as Written};
 
-use super::Failure;
 use super::derivative::By;
 use super::graph::{FunctionId, Kind, Made, Node, NodeId, Variable};
-use super::matrix::{Table, is_single};
 use super::meaning::{Meaning, Meanings};
 use super::sheet::Sheet;
+use super::table::Table;
+use super::{Failure, Unknown};
 
 /// How deep definitions and calls may be nested.
 const DEEPEST_NESTING: usize = 400;
@@ -49,6 +49,13 @@ impl<'a> Unfolding<'a> {
         }
     }
 
+    /// Forgets the nodes from a place on, and what was found with them.
+    pub fn forget(&mut self, size: usize) {
+        self.known.clear();
+        self.references.clear();
+        self.sheet.forget(size);
+    }
+
     /// An expression, entry by entry.
     ///
     /// # Errors
@@ -56,7 +63,7 @@ impl<'a> Unfolding<'a> {
     /// [`Failure`] where it has no value anywhere, or cannot be followed.
     pub fn table(&mut self, expression: &'a Expression) -> Result<Table, Failure> {
         if self.nesting >= DEEPEST_NESTING {
-            return Err(Failure::TooDeep);
+            return Err(Unknown::TooDeep.into());
         }
         self.nesting += 1;
         let table = self.unfolded(expression);
@@ -71,17 +78,14 @@ impl<'a> Unfolding<'a> {
     /// Those of [`Unfolding::table`].
     pub fn scalar(&mut self, expression: &'a Expression) -> Made {
         let table = self.table(expression)?;
-        match is_single(&table) {
-            true => Ok(table[0][0]),
-            false => Err(Failure::Unsupported),
-        }
+        table.as_single().ok_or(Unknown::Shape.into())
     }
 
     /// The parts of degree 0, …, `order` of an expression in small quantities, entry by entry.
     ///
     /// # Errors
     ///
-    /// [`Failure::NoExpansion`] where there are none.
+    /// [`Unknown::NoExpansion`] where there are none.
     pub fn parts(
         &mut self,
         expression: &'a Expression,
@@ -97,7 +101,7 @@ impl<'a> Unfolding<'a> {
     ///
     /// # Errors
     ///
-    /// [`Failure::NoPolynomial`] where it is not found.
+    /// [`Unknown::NoPolynomial`] where it is not found.
     pub fn coefficient(&mut self, polynomial: &'a Expression, variable: &str, power: u32) -> Made {
         let node = self.scalar(polynomial)?;
         let variable = self.small(variable)?;
@@ -106,9 +110,11 @@ impl<'a> Unfolding<'a> {
 
     fn unfolded(&mut self, expression: &'a Expression) -> Result<Table, Failure> {
         match &expression.node {
-            Written::Number(number) => Ok(single(self.sheet.graph.number(number.clone())?)),
+            Written::Number(number) => Ok(Table::single(self.sheet.graph.number(number.clone())?)),
             Written::Name(name) => self.named(name),
-            Written::Derivative(name, order) => Ok(single(self.bare_function(name, *order)?)),
+            Written::Derivative(name, order) => {
+                Ok(Table::single(self.bare_function(name, *order)?))
+            }
             Written::Negative(inner) => {
                 let table = self.table(inner)?;
                 self.sheet
@@ -133,26 +139,35 @@ impl<'a> Unfolding<'a> {
             return Ok(argument.clone());
         }
         match self.meanings.get(name).copied() {
-            Some(Meaning::Variable(kind, signs)) => Ok(single(self.variable(name, kind, signs)?)),
-            Some(Meaning::ImaginaryUnit) => Ok(single(self.sheet.graph.imaginary_unit()?)),
+            Some(Meaning::Variable(kind, signs)) => {
+                Ok(Table::single(self.variable(name, kind, signs)?))
+            }
+            Some(Meaning::ImaginaryUnit) => Ok(Table::single(self.sheet.graph.imaginary_unit()?)),
             Some(Meaning::Function(_)) => {
                 let (function, reference) = self.declared_function(name)?;
                 let graph = &mut self.sheet.graph;
-                Ok(single(graph.function(function, 0, reference, reference)?))
+                Ok(Table::single(
+                    graph.function(function, 0, reference, reference)?,
+                ))
             }
             Some(Meaning::Definition(expression)) => {
                 if let Some(known) = self.known.get(name) {
                     return known.clone();
                 }
-                // The arguments of a call mean nothing within a definition.
-                self.frames.push(BTreeMap::new());
-                let table = self.table(expression);
-                self.frames.pop();
+                let table = self.apart(|own| own.table(expression));
                 self.known.insert(name, table.clone());
                 table
             }
-            _ => Err(Failure::Unsupported),
+            _ => Err(Unknown::Unsupported.into()),
         }
+    }
+
+    /// What was declared elsewhere, where the arguments of a call mean nothing.
+    fn apart<T>(&mut self, within: impl FnOnce(&mut Self) -> T) -> T {
+        self.frames.push(BTreeMap::new());
+        let found = within(self);
+        self.frames.pop();
+        found
     }
 
     fn variable(&mut self, name: &str, kind: Kind, signs: Signs) -> Made {
@@ -169,14 +184,12 @@ impl<'a> Unfolding<'a> {
     /// A declared function and where its bare name is taken.
     fn declared_function(&mut self, name: &str) -> Result<(FunctionId, NodeId), Failure> {
         let Some((name, Meaning::Function(reference))) = self.meanings.get_key_value(name) else {
-            return Err(Failure::Unsupported);
+            return Err(Unknown::Unsupported.into());
         };
         let place = match self.references.get(name) {
             Some(known) => *known,
             None => {
-                self.frames.push(BTreeMap::new());
-                let place = self.scalar(reference);
-                self.frames.pop();
+                let place = self.apart(|own| own.scalar(reference));
                 self.references.insert(name, place);
                 place
             }
@@ -206,7 +219,7 @@ impl<'a> Unfolding<'a> {
                 let argument = self.scalar(argument)?;
                 let (function, reference) = self.declared_function(&function.ascii)?;
                 let graph = &mut self.sheet.graph;
-                Ok(single(
+                Ok(Table::single(
                     graph.function(function, order, argument, reference)?,
                 ))
             }
@@ -220,25 +233,19 @@ impl<'a> Unfolding<'a> {
                 self.frames.pop();
                 table
             }
-            (Some(_), _) => Err(Failure::Unsupported),
+            (Some(_), _) => Err(Unknown::Unsupported.into()),
             (None, _) => self.built_in(&function.ascii, arguments),
         }
     }
 
     fn blocks(&mut self, rows: &'a [Vec<Expression>]) -> Result<Table, Failure> {
-        let mut table = Table::new();
+        let mut bands = Vec::new();
         for row in rows {
-            let mut band = Table::new();
-            for block in row {
-                let block = self.table(block)?;
-                band.resize(band.len().max(block.len()), Vec::new());
-                for (line, more) in band.iter_mut().zip(block) {
-                    line.extend(more);
-                }
-            }
-            table.extend(band);
+            let blocks = row.iter().map(|block| self.table(block)?.transposed());
+            let blocks: Vec<Table> = blocks.collect::<Result<_, _>>()?;
+            bands.push(Table::stacked(&blocks)?.transposed()?);
         }
-        Ok(table)
+        Table::stacked(&bands)
     }
 
     fn entry(
@@ -249,22 +256,17 @@ impl<'a> Unfolding<'a> {
         let table = self.table(matrix)?;
         let mut places = Vec::new();
         for index in indices {
-            places.push((self.natural(index)? as usize).saturating_sub(1));
+            let place = (self.natural(index)? as usize).checked_sub(1);
+            places.push(place.ok_or(Unknown::Shape)?);
         }
         let (row, column) = match places[..] {
             [row, column] => (row, column),
-            [place] if table.len() == 1 => (0, place),
+            [place] if table.shape().0 == 1 => (0, place),
             [place] => (place, 0),
-            _ => return Err(Failure::Unsupported),
+            _ => return Err(Unknown::Unsupported.into()),
         };
-        let entry = table.get(row).and_then(|line| line.get(column));
-        let entry = *entry.ok_or(Failure::Unsupported)?;
-        // A matrix has a value where all of its entries have one.
-        let mut guarded = entry;
-        for other in table.iter().flatten() {
-            guarded = self.sheet.graph.guarded(guarded, *other)?;
-        }
-        Ok(single(guarded))
+        let entry = table.get(row, column)?;
+        self.sheet.of_whole(&Table::single(entry), &table)
     }
 
     /// A small natural number.
@@ -278,13 +280,13 @@ impl<'a> Unfolding<'a> {
         let whole = whole.and_then(|whole| u32::try_from(whole).ok());
         whole
             .filter(|n| *n <= LARGEST_NUMBER)
-            .ok_or(Failure::Unsupported)
+            .ok_or(Unknown::Unsupported.into())
     }
 
     /// The number that a node is everywhere.
     fn constant(&mut self, node: NodeId) -> Result<Rational, Failure> {
-        let value = self.sheet.sample(node).ok_or(Failure::UnknownIdentity)?;
-        let real = value.as_real().ok_or(Failure::NotReal)?;
+        let value = self.sheet.sample(node).ok_or(Unknown::Identity)?;
+        let real = value.as_real().ok_or(Unknown::Unsupported)?;
         let number = match real.as_rational() {
             Some(number) => number.clone(),
             None => Rational::from(real.enclosure().middle().round()),
@@ -292,7 +294,7 @@ impl<'a> Unfolding<'a> {
         let candidate = self.sheet.graph.number(number.clone())?;
         match self.sheet.is_same(node, candidate)? {
             true => Ok(number),
-            false => Err(Failure::Unsupported),
+            false => Err(Unknown::Unsupported.into()),
         }
     }
 
@@ -306,7 +308,7 @@ impl<'a> Unfolding<'a> {
                 argument,
                 ..
             } => Ok(By::Function(*function, *order, *argument)),
-            _ => Err(Failure::NoVariable),
+            _ => Err(Unknown::NoVariable.into()),
         }
     }
 
@@ -321,13 +323,8 @@ impl<'a> Unfolding<'a> {
                     .function(function, 0, reference, reference)?
             }
             Some((_, Meaning::Definition(expression))) => self.scalar(expression)?,
-            _ => return Err(Failure::NoVariable),
+            _ => return Err(Unknown::NoVariable.into()),
         };
         self.variable_of(node)
     }
-}
-
-/// A table with one entry.
-fn single(node: NodeId) -> Table {
-    vec![vec![node]]
 }

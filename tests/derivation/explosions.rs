@@ -134,7 +134,44 @@ fn numbers_of_a_point_may_not_grow_without_bound() {
 }
 
 #[test]
+fn the_arctangent_of_a_wide_enclosure_ends() {
+    let text = "parameter x : 1 > 0\nA := 10^83*sqrt(2) - 10^83*sqrt(2) + 4194305\n\
+                claim (1): angle(x, A) == 1";
+    assert_eq!(outcome(text), "undecided");
+}
+
+#[test]
+fn sums_of_angles_are_taken_once() {
+    let mut text = "angle α\nt_0 := α\n".to_string();
+    for n in 1..=150 {
+        text += &format!("t_{n} := t_{0} + t_{0}\n", n - 1);
+    }
+    text += "claim (1): cos(t_150 - 2^150*α + α) == cos(α)";
+    assert_eq!(outcome(&text), "holds");
+}
+
+#[test]
+fn values_at_many_arguments_are_found_soon() {
+    let mut text =
+        "parameter x : 1 > 0\nfunction f at x : 1\nr := sqrt(2)\nS_0 := 0*x\n".to_string();
+    for block in 0..40 {
+        let values = (1..=50).map(|k| format!("f({}*r)", 50 * block + k));
+        let values: Vec<String> = values.collect();
+        text += &format!("S_{} := S_{block} + {}\n", block + 1, values.join(" + "));
+    }
+    text += "claim (1): S_40 + 10^12 > 0";
+    assert_eq!(outcome(&text), "undecided");
+}
+
+#[test]
 fn memory_is_bounded() {
+    let mut text = "parameter x, y, λ : 1\n".to_string();
+    for k in 1..=20 {
+        let polynomial = format!("(y + {k}*λ + x*λ^2 + λ^3)^40");
+        text += &format!("claim ({k}): coefficient({polynomial}, λ, 30) + 10^900 > 0\n");
+    }
+    assert_eq!(outcome(&text), "undecided");
+    assert!(peak_memory() < 512, "{} MB", peak_memory());
     outcome("parameter a, b, c, e, f : 1\np := (a + b + c + e + f)^200");
     assert!(peak_memory() < 1024, "{} MB", peak_memory());
 }

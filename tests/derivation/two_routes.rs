@@ -21,8 +21,12 @@ use sextic::derivation::scope::{Meaning, SymbolKind};
 use sextic::derivation::syntax::{Name, Spanned, StatementKind};
 use sextic::derivation::unit::Unit;
 use sextic::derivation::verdict::{Claim, Verdict};
+use sextic::points::Salt;
 
 use super::block;
+
+/// Numbers that no text of these tests was written for.
+const SALT: Salt = [[0, 1], [2, 3]];
 
 /// An elaborator that knows the numbers x, y, λ and b and the angular coordinate θ.
 fn elaborator() -> Elaborator {
@@ -91,7 +95,12 @@ fn judged_by_points(
     findings: &[Finding],
     matchings: &[MatchingCheck],
 ) -> Result<Vec<Claim>, DiagnosticKind> {
-    let judge = Judge::new(&elaborator.scope, &[], BTreeMap::<String, Signs>::new(), 0);
+    let judge = Judge::new(
+        &elaborator.scope,
+        &[],
+        BTreeMap::<String, Signs>::new(),
+        SALT,
+    );
     let (claims, wrong) = judge.judge_all(findings, matchings);
     match wrong.into_iter().flatten().next() {
         Some(error) => Err(error.kind),
@@ -154,6 +163,76 @@ fn a_disagreement_is_told_as_a_fault() {
         assert_eq!(judged(found, found), (verdict, false), "{found}");
         let outcome = judged(found, evaluated);
         assert_eq!(outcome, (Verdict::Undecided, true), "{evaluated}");
+    }
+}
+
+#[test]
+fn what_has_no_value_somewhere_is_a_disagreement() {
+    for evaluated in [
+        "0*(1/x) == 0",
+        "0*(1/(x - y)) == 0",
+        "0*(1/(x*(x + y)*(y + 1))) == 0",
+        "0*(1/(1 + cos(θ))) == 0",
+        "0*(1/sin(θ)) == 0",
+        "0*sqrt(-x^2 - 1) == 0",
+        "0*sqrt(x) == 0",
+        "0*angle(x, y) == 0",
+        "0*d(sqrt(x^2 + y^2), x) == 0",
+        "0*d(angle(x, y), y) == 0",
+        "0*inverse([x, y; y, x])[1, 2] == 0",
+        "(0*(1/(x - y)) at (x = y)) == 0",
+        "truncate(0*(1/(x + y)), [x; y], 1) == 0",
+        "truncate(0*sqrt(x), [x], 1) == 0",
+        // A matrix has a value where all of its entries have one.
+        "[x, 1/y][1] == x",
+        "trace([x, 1/y; 0, 0]) == x",
+        "row([x; 1/y], 1) == x",
+        "column([x, 1/y], 1) == x",
+        "submatrix([x, 1/y], 1, 1) == x",
+        "adjugate([0, 1/y; 0, x])[1, 1] == x",
+        "adjugate([1/y]) == 1",
+        "([1, 1/y; 0, 1]^0)[1, 1] == 1",
+        "kernel([1, 0, 1/y; 0, 0, 0])[2, 1] == 1",
+    ] {
+        let outcome = judged("claim (1): x == x", &format!("claim (1): {evaluated}"));
+        assert_eq!(outcome, (Verdict::Undecided, true), "{evaluated}");
+    }
+}
+
+#[test]
+fn what_is_not_known_is_no_disagreement() {
+    for (found, verdict) in [
+        // The step 1/x² finds the coefficient, which exists where x is 0.
+        (
+            "coefficient(λ*((x*λ)^2 + 1)/((x*λ)^2 + 1), λ, 1) == 1",
+            Verdict::Holds,
+        ),
+        (
+            "hurwitz((λ^2 + λ + 1)*((x*λ)^2 + 1)/((x*λ)^2 + 1), λ, 1) == 1",
+            Verdict::Holds,
+        ),
+        // A root that does not move has a slope where it is 0.
+        (
+            "d(x*sqrt((y + 1)^2 - y^2 - 2*y - 1), y) == 0",
+            Verdict::Holds,
+        ),
+        ("x/x == 1", Verdict::HoldsWhere),
+        ("angle(x, y) == angle(x, y)", Verdict::HoldsWhere),
+    ] {
+        let found = format!("claim (1): {found}");
+        assert_eq!(judged(&found, &found), (verdict, false), "{found}");
+    }
+}
+
+#[test]
+fn what_is_no_polynomial_has_no_coefficients() {
+    for evaluated in [
+        "coefficient(λ^2 + 1/λ, λ, 2) == 1",
+        "coefficient(1/(1 + λ), λ, 0) == 1",
+        "hurwitz(λ^2 + 2*λ + 3 + 1/λ, λ, 1) == 2",
+    ] {
+        let (verdict, _) = judged("claim (1): x == x", &format!("claim (1): {evaluated}"));
+        assert_eq!(verdict, Verdict::Undecided, "{evaluated}");
     }
 }
 

@@ -24,6 +24,7 @@ use crate::derivation::syntax::{
     StatementKind,
 };
 use crate::derivation::verdict::{Claim, Verdict};
+use crate::points::Salt;
 
 use super::import::Failed;
 use super::judgement::FailedMatchings;
@@ -320,15 +321,18 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A number that nobody can know who writes the text that it depends on.
-    pub(super) fn salt(&self) -> u64 {
+    /// Numbers that nobody can know who writes the text that they depend on.
+    pub(super) fn salt(&self) -> Salt {
         let imported = self.finished.iter();
         let texts = imported.fold(self.texts.clone(), |texts, source| {
             texts.chain_update(&source.text)
         });
         let digest = texts.finalize();
-        let bytes = digest.iter().take(8);
-        bytes.fold(0, |number, byte| number << 8 | u64::from(*byte))
+        let word = |place: usize| {
+            let bytes = digest[8 * place..8 * place + 8].iter();
+            bytes.fold(0, |number, byte| number << 8 | u64::from(*byte))
+        };
+        [[word(0), word(1)], [word(2), word(3)]]
     }
 
     /// What is known of the signs of symbols, by ASCII name.

@@ -9,7 +9,7 @@ use crate::points::evaluation::Evaluation;
 use crate::points::graph::{Graph, NodeId};
 use crate::points::number::Number;
 use crate::points::unfolding::Unfolding;
-use crate::points::{Failure, Sheet, Table};
+use crate::points::{Failure, Sheet, Table, Unknown};
 
 /// How many binary digits of two sides must agree.
 pub const DIGITS: i64 = 64;
@@ -19,8 +19,8 @@ pub const DIGITS: i64 = 64;
 pub enum Agreement {
     /// They stand in the relation, as far as is known.
     Agrees,
-    /// They certainly do not.
-    Differs,
+    /// They certainly do not, or one of them has no value.
+    Contradicts,
     /// A condition is not met, or not known to be.
     OutsideOfConditions,
 }
@@ -53,7 +53,7 @@ impl Sides {
         // What is equal to every order is compared as it is.
         let order = finding.assertion.order.as_ref();
         let order = order.filter(|_| finding.outcome != Outcome::True);
-        let pairs = match order {
+        let pairs: Vec<(Table, Table)> = match order {
             Some(order) => {
                 let small = small_names(order);
                 let highest = beyond.unwrap_or(0).max(order.order.value as usize) as u32;
@@ -66,13 +66,20 @@ impl Sides {
                 unfolding.table(&relation.right)?,
             )],
         };
+        if pairs
+            .iter()
+            .any(|(left, right)| left.shape() != right.shape())
+        {
+            return Err(Unknown::Shape.into());
+        }
         let mut conditions = Vec::new();
         for condition in &finding.conditions {
             let node = match order {
                 None => unfolding.scalar(&condition.expression)?,
                 Some(order) => {
                     let parts = unfolding.parts(&condition.expression, &small_names(order), 0)?;
-                    parts[0][0][0]
+                    let part = parts.first().and_then(Table::as_single);
+                    part.ok_or(Unknown::Shape)?
                 }
             };
             conditions.push((condition.requirement, node));
@@ -87,63 +94,72 @@ impl Sides {
     /// The nodes of the sides of a degree, of both.
     pub fn nodes(&self, degree: usize) -> Vec<NodeId> {
         let (left, right) = &self.pairs[degree];
-        left.iter().chain(right).flatten().copied().collect()
+        [left.entries(), right.entries()].concat()
     }
 
     /// Whether the sides are seen to be equal without a look at assignments, up to the order of an
     /// approximation.
     pub fn are_surely_same(&self, sheet: &mut Sheet) -> bool {
-        let mut pairs = self
-            .pairs
-            .iter()
-            .take(self.beyond.unwrap_or(self.pairs.len()));
+        let mut pairs = self.compared().iter();
         pairs.all(|(left, right)| {
-            let mut entries = left.iter().flatten().zip(right.iter().flatten());
+            let mut entries = left.entries().iter().zip(right.entries());
             entries.all(|(a, b)| sheet.is_surely_same(*a, *b))
         })
     }
 
+    /// Whether both sides have values under every assignment.
+    pub fn are_total(&self, graph: &Graph) -> bool {
+        let mut pairs = self.compared().iter();
+        pairs.all(|(left, right)| {
+            let mut entries = left.entries().iter().chain(right.entries());
+            entries.all(|entry| graph.is_total(*entry))
+        })
+    }
+
+    /// The sides, or their parts up to the order of an approximation.
+    fn compared(&self) -> &[(Table, Table)] {
+        &self.pairs[..self.beyond.unwrap_or(self.pairs.len())]
+    }
+
     /// Whether the sides stand in their relation at an assignment, up to the order of an approximation.
+    ///
+    /// # Errors
+    ///
+    /// [`Unknown`] where a side is not known, or not well enough.
     pub fn at(
         &self,
         evaluation: &mut Evaluation,
         graph: &Graph,
         comparison: Comparison,
-    ) -> Result<Agreement, Failure> {
-        if !self.meets_conditions(evaluation, graph)? {
+    ) -> Result<Agreement, Unknown> {
+        if !self.meets_conditions(evaluation, graph) {
             return Ok(Agreement::OutsideOfConditions);
         }
-        for degree in 0..self.beyond.unwrap_or(self.pairs.len()) {
-            if self
-                .difference(degree, evaluation, graph, comparison, true)?
-                .is_some()
-            {
-                return Ok(Agreement::Differs);
+        for degree in 0..self.compared().len() {
+            match self.difference(degree, evaluation, graph, comparison, true) {
+                Ok(None) => {}
+                Ok(Some(_)) | Err(Failure::NoValue(_)) => return Ok(Agreement::Contradicts),
+                Err(Failure::Unknown(why)) => return Err(why),
             }
         }
         Ok(Agreement::Agrees)
     }
 
     /// Whether all conditions are known to be met.
-    pub fn meets_conditions(
-        &self,
-        evaluation: &mut Evaluation,
-        graph: &Graph,
-    ) -> Result<bool, Failure> {
-        for (requirement, node) in &self.conditions {
-            let value = evaluation.value(graph, *node)?;
-            let is_met = match requirement {
+    pub fn meets_conditions(&self, evaluation: &mut Evaluation, graph: &Graph) -> bool {
+        let mut conditions = self.conditions.iter();
+        conditions.all(|(requirement, node)| {
+            let Ok(value) = evaluation.value(graph, *node) else {
+                return false;
+            };
+            match requirement {
                 Requirement::NonZero => value.differs_from_zero(),
                 Requirement::Positive => {
                     let sign = value.as_real().and_then(|real| real.sign());
                     sign == Some(Ordering::Greater)
                 }
-            };
-            if !is_met {
-                return Ok(false);
             }
-        }
-        Ok(true)
+        })
     }
 
     /// The first entry at which the sides certainly do not stand in the relation.
@@ -161,16 +177,13 @@ impl Sides {
     ) -> Result<Option<Difference>, Failure> {
         let (left, right) = &self.pairs[degree];
         let mut found = None;
-        for (row, (a, b)) in left.iter().zip(right).enumerate() {
-            for (column, (a, b)) in a.iter().zip(b).enumerate() {
-                let entries = [evaluation.value(graph, *a)?, evaluation.value(graph, *b)?];
-                let stands = stand(evaluation, &entries, comparison, must_be_known)?;
-                if !stands && found.is_none() {
-                    found = Some(Difference {
-                        place: (row, column),
-                        entries,
-                    });
-                }
+        let entries = left.entries().iter().zip(right.entries());
+        for (place, (a, b)) in entries.enumerate() {
+            let entries = [evaluation.value(graph, *a)?, evaluation.value(graph, *b)?];
+            let stands = stand(evaluation, &entries, comparison, must_be_known)?;
+            if !stands && found.is_none() {
+                let place = left.position(place);
+                found = Some(Difference { place, entries });
             }
         }
         Ok(found)
@@ -187,16 +200,18 @@ fn stand(
     if comparison == Comparison::Equal {
         let is_narrow = || a.is_narrow(a, DIGITS) && b.is_narrow(b, DIGITS);
         return match a.may_be(b) {
-            true if must_be_known && !is_narrow() => Err(Failure::UnknownSign),
+            true if must_be_known && !is_narrow() => Err(Unknown::Sign.into()),
             may_be => Ok(may_be),
         };
     }
-    if a.as_real().is_none() || b.as_real().is_none() {
-        return Err(Failure::NotReal);
+    for side in [a, b] {
+        if side.as_real().is_none() {
+            return Err(side.not_real());
+        }
     }
     match evaluation.compared(a, b) {
         Some(order) => Ok(comparison.holds(order)),
-        None => Err(Failure::UnknownSign),
+        None => Err(Unknown::Sign.into()),
     }
 }
 

@@ -8,7 +8,8 @@ use crate::derivation::scope::Scope;
 use crate::derivation::verdict::{Coordinate, Witness};
 use crate::points::evaluation::Evaluation;
 use crate::points::graph::{Graph, NodeId};
-use crate::points::{Failure, Search, measured};
+use crate::points::number::Number;
+use crate::points::{Failure, Search, Unknown, measured};
 
 use super::STEPS;
 use super::coordinate::coordinate;
@@ -66,33 +67,36 @@ impl<'a> Candidates<'a> {
             Outcome::Different(degree) => degree.map_or(0, |degree| degree as usize),
             _ => 0,
         };
-        let (mut inexact, mut fruitless) = (None, Fruitless::NoPoint);
+        let (mut found, mut fruitless) = (None, Fruitless::NoPoint);
         let mut most = MOST_POINTS;
         let (mut steps, scope) = (STEPS[1], self.scope);
+        let nodes = sides.nodes(degree);
         for place in 0..MOST_POINTS {
             if place >= most || steps == 0 {
                 break;
             }
-            let Some(evaluation) = self.at(place, &sides.nodes(degree), graph) else {
-                break;
+            let Some(evaluation) = self.at(place, &nodes, graph, &mut steps) else {
+                continue;
             };
             evaluation.steps = steps;
             let tried = at_assignment(evaluation, sides, degree, finding, (graph, scope));
-            let left = evaluation.steps;
+            steps = evaluation.steps;
             evaluation.forget();
-            self.spent += steps - left;
-            steps = left;
             match tried {
-                Ok((witness, true)) => return Ok(witness),
-                Ok((witness, false)) if inexact.is_none() => {
-                    inexact = Some(witness);
-                    most = place + MOST_POINTS_AFTER;
+                Ok((witness, is_exact)) if is_exact || found.is_none() => {
+                    found = Some(witness);
+                    most = if is_exact {
+                        place
+                    } else {
+                        place + MOST_POINTS_AFTER
+                    };
                 }
                 Ok(_) => {}
                 Err(why) => fruitless = telling(fruitless, why),
             }
         }
-        inexact.ok_or(fruitless)
+        self.spent += STEPS[1] - steps;
+        found.ok_or(fruitless)
     }
 
     /// Whether the sides of an approximation differ behind its order at some assignment.
@@ -101,19 +105,31 @@ impl<'a> Candidates<'a> {
             return false;
         };
         let (nodes, scope) = (sides.nodes(degree), self.scope);
+        let mut steps = STEPS[1];
         let mut places = 0..MOST_POINTS_AFTER;
-        places.any(|place| {
-            let Some(evaluation) = self.at(place, &nodes, graph) else {
+        let found = places.any(|place| {
+            let Some(evaluation) = self.at(place, &nodes, graph, &mut steps) else {
                 return false;
             };
-            evaluation.steps = STEPS[1];
-            at_assignment(evaluation, sides, degree, finding, (graph, scope)).is_ok()
-        })
+            evaluation.steps = steps;
+            let tried = at_assignment(evaluation, sides, degree, finding, (graph, scope));
+            steps = evaluation.steps;
+            evaluation.forget();
+            tried.is_ok()
+        });
+        self.spent += STEPS[1] - steps;
+        found
     }
 
     /// An evaluation at one of the assignments, counted from 0, for some nodes: the angles whose measure
     /// they contain have a fraction for it.
-    fn at(&mut self, place: usize, nodes: &[NodeId], graph: &Graph) -> Option<&mut Evaluation> {
+    fn at(
+        &mut self,
+        place: usize,
+        nodes: &[NodeId],
+        graph: &Graph,
+        steps: &mut usize,
+    ) -> Option<&mut Evaluation> {
         let mut angles = measured(graph, nodes);
         angles.extend(self.search.measured.iter().cloned());
         let search = Search {
@@ -121,8 +137,8 @@ impl<'a> Candidates<'a> {
             ..self.search.clone()
         };
         let found = self.found.entry(angles).or_default();
-        while found.len() <= place && found.last().is_none_or(Option::is_some) {
-            found.push(search.find(graph, found.len() as u64));
+        while found.len() <= place {
+            found.push(search.find(graph, found.len() as u64, steps));
         }
         found.get_mut(place)?.as_mut()
     }
@@ -156,9 +172,12 @@ fn at_assignment(
     let Some(Difference { place, entries }) = difference.map_err(Fruitless::NoValue)? else {
         return Err(Fruitless::Agreed);
     };
-    match sides.meets_conditions(evaluation, graph) {
-        Ok(true) => {}
-        Ok(false) | Err(_) => return Err(Fruitless::NoConditions),
+    if !sides.meets_conditions(evaluation, graph) {
+        return Err(Fruitless::NoConditions);
+    }
+    // What is shown tells the sides apart.
+    if !entries.iter().all(Number::is_legible) {
+        return Err(Fruitless::NoValue(Unknown::Sign.into()));
     }
     let (left, _) = &sides.pairs[degree];
     let shown = evaluation.shown(graph, &sides.nodes(degree));
@@ -172,7 +191,10 @@ fn at_assignment(
             })
             .collect(),
         degree: finding.outcome.degree(),
-        entry: (left.len() > 1 || left[0].len() > 1).then_some((place.0 + 1, place.1 + 1)),
+        entry: left
+            .as_single()
+            .is_none()
+            .then_some((place.0 + 1, place.1 + 1)),
         left: entries[0].display(),
         right: entries[1].display(),
     };

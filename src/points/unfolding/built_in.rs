@@ -1,11 +1,11 @@
 //! The built-in functions of documents.
 
 use crate::derivation::syntax::{Expression, Node as Written};
-use crate::points::Failure;
 use crate::points::graph::Made;
-use crate::points::matrix::{Table, transpose};
+use crate::points::table::Table;
+use crate::points::{Failure, Unknown};
 
-use super::{Unfolding, single};
+use super::Unfolding;
 
 impl<'a> Unfolding<'a> {
     /// What a built-in function gives.
@@ -18,7 +18,7 @@ impl<'a> Unfolding<'a> {
             ("sin" | "cos" | "tan" | "cot", [angle]) => {
                 let angle = self.scalar(angle)?;
                 let (cosine, sine) = self.sheet.cosine_and_sine(angle)?;
-                Ok(single(match function {
+                Ok(Table::single(match function {
                     "sin" => sine,
                     "cos" => cosine,
                     "tan" => self.sheet.graph.quotient(sine, cosine)?,
@@ -27,11 +27,11 @@ impl<'a> Unfolding<'a> {
             }
             ("sqrt", [square]) => {
                 let square = self.scalar(square)?;
-                Ok(single(self.sheet.graph.root(square)?))
+                Ok(Table::single(self.sheet.graph.root(square)?))
             }
             ("angle", [x, y]) => {
                 let (x, y) = (self.scalar(x)?, self.scalar(y)?);
-                Ok(single(self.sheet.direction(x, y)?))
+                Ok(Table::single(self.sheet.direction(x, y)?))
             }
             ("dt", [inner]) => self.rate(inner),
             ("d", [value, variables]) => self.jacobian(value, variables),
@@ -42,11 +42,13 @@ impl<'a> Unfolding<'a> {
                 let variable = self.variable_of(variable)?;
                 let polynomial = self.scalar(polynomial)?;
                 let coefficient = self.sheet.coefficient(polynomial, variable, power)?;
-                Ok(single(self.sheet.graph.guarded(coefficient, polynomial)?))
+                Ok(Table::single(
+                    self.sheet.graph.guarded(coefficient, polynomial)?,
+                ))
             }
             ("hurwitz", [polynomial, variable, size]) => {
                 let size = self.natural(size)? as usize;
-                Ok(single(self.hurwitz(polynomial, variable, size)?))
+                Ok(Table::single(self.hurwitz(polynomial, variable, size)?))
             }
             _ => self.matrix_function(function, arguments),
         }
@@ -70,8 +72,7 @@ impl<'a> Unfolding<'a> {
             let coefficient = place.and_then(|place| coefficients.get(place));
             coefficient.copied().unwrap_or(zero)
         };
-        let row = |row| (0..size).map(|column| entry(row, column)).collect();
-        let matrix: Table = (0..size).map(row).collect();
+        let matrix = Table::made(size, size, |row, column| Ok(entry(row, column)))?;
         let determinant = self.sheet.determinant(&matrix)?;
         self.sheet.graph.guarded(determinant, polynomial)
     }
@@ -84,7 +85,7 @@ impl<'a> Unfolding<'a> {
         match (function, arguments) {
             ("det", [matrix]) => {
                 let matrix = self.table(matrix)?;
-                Ok(single(self.sheet.determinant(&matrix)?))
+                Ok(Table::single(self.sheet.determinant(&matrix)?))
             }
             ("adjugate", [matrix]) => {
                 let matrix = self.table(matrix)?;
@@ -92,7 +93,7 @@ impl<'a> Unfolding<'a> {
             }
             ("inverse", [matrix]) => {
                 let matrix = self.table(matrix)?;
-                let identity = self.sheet.identity(matrix.len())?;
+                let identity = self.sheet.identity(matrix.size()?)?;
                 self.sheet.solve(&matrix, &identity)
             }
             ("solve", [matrix, right]) => {
@@ -103,20 +104,20 @@ impl<'a> Unfolding<'a> {
                 let matrix = self.table(matrix)?;
                 self.sheet.kernel(&matrix)
             }
-            ("transpose", [matrix]) => Ok(transpose(&self.table(matrix)?)),
+            ("transpose", [matrix]) => self.table(matrix)?.transposed(),
             ("trace", [matrix]) => {
                 let matrix = self.table(matrix)?;
-                let diagonal = matrix.iter().enumerate();
-                let diagonal: Vec<_> = diagonal.map(|(place, row)| row[place]).collect();
-                Ok(single(self.sheet.total(diagonal)?))
+                let diagonal = (0..matrix.size()?).map(|place| matrix.get(place, place));
+                let diagonal: Vec<_> = diagonal.collect::<Result<_, _>>()?;
+                let trace = Table::single(self.sheet.total(diagonal)?);
+                self.sheet.of_whole(&trace, &matrix)
             }
             ("diagonal", entries) => {
-                let zero = self.sheet.graph.integer(0)?;
-                let mut table = vec![vec![zero; entries.len()]; entries.len()];
-                for (place, entry) in entries.iter().enumerate() {
-                    table[place][place] = self.scalar(entry)?;
-                }
-                Ok(table)
+                let size = entries.len();
+                Table::made(size, size, |row, column| match row == column {
+                    true => self.scalar(&entries[row]),
+                    false => self.sheet.graph.integer(0),
+                })
             }
             ("identity", [size]) => {
                 let size = self.natural(size)? as usize;
@@ -127,7 +128,7 @@ impl<'a> Unfolding<'a> {
                     self.natural(rows)? as usize,
                     self.natural(columns)? as usize,
                 );
-                Ok(vec![vec![self.sheet.graph.integer(0)?; columns]; rows])
+                Table::made(rows, columns, |_, _| self.sheet.graph.integer(0))
             }
             _ => self.part(function, arguments),
         }
@@ -136,24 +137,22 @@ impl<'a> Unfolding<'a> {
     /// A part of a matrix.
     fn part(&mut self, function: &str, arguments: &'a [Expression]) -> Result<Table, Failure> {
         let [matrix, first, others @ ..] = arguments else {
-            return Err(Failure::Unsupported);
+            return Err(Unknown::Unsupported.into());
         };
         let matrix = self.table(matrix)?;
         let first = self.places(first)?;
-        let (height, width) = (matrix.len(), matrix.first().map_or(0, Vec::len));
+        let (height, width) = matrix.shape();
         let (rows, columns) = match (function, others) {
             ("row", []) => (first, (1..=width).collect()),
             ("column", []) => ((1..=height).collect(), first),
             ("submatrix", [columns]) => (first, self.places(columns)?),
-            _ => return Err(Failure::Unsupported),
+            _ => return Err(Unknown::Unsupported.into()),
         };
-        let entry = |row: usize, column: usize| {
-            let line = matrix.get(row.checked_sub(1)?)?;
-            line.get(column.checked_sub(1)?).copied()
-        };
-        let row = |row: &usize| columns.iter().map(|column| entry(*row, *column)).collect();
-        let part: Option<Table> = rows.iter().map(row).collect();
-        part.ok_or(Failure::Unsupported)
+        let place = |place: usize| place.checked_sub(1).ok_or(Unknown::Shape);
+        let part = Table::made(rows.len(), columns.len(), |row, column| {
+            matrix.get(place(rows[row])?, place(columns[column])?)
+        })?;
+        self.sheet.of_whole(&part, &matrix)
     }
 
     fn places(&mut self, list: &'a Expression) -> Result<Vec<usize>, Failure> {

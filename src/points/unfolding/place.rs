@@ -1,11 +1,14 @@
 //! Replacements, and what is differentiated or expanded by.
 
-use crate::derivation::syntax::{Expression, Place};
-use crate::points::Failure;
+use std::collections::BTreeSet;
+
+use crate::derivation::syntax::{Expression, Place, Replacement};
 use crate::points::derivative::{By, Derivative};
-use crate::points::matrix::Table;
+use crate::points::graph::{NodeId, VariableId};
 use crate::points::meaning::Meaning;
 use crate::points::substitution::Substitution;
+use crate::points::table::Table;
+use crate::points::{Failure, Unknown};
 
 use super::Unfolding;
 
@@ -20,49 +23,42 @@ impl<'a> Unfolding<'a> {
 
     /// What a place replaces by what, as far as it stands in a table.
     fn replacements(&mut self, place: &'a Place, table: &Table) -> Result<Substitution, Failure> {
-        let (replacements, is_named) = match place {
-            Place::Replacements(replacements) => (replacements.as_slice(), false),
+        let present = self.sheet.graph.variables_of(table.entries());
+        match place {
+            Place::Replacements(replacements) => self.replacing(replacements, &present),
             Place::Named(name) => match self.meanings.get(name.value.ascii.as_str()) {
-                Some(Meaning::Substitution(replacements)) => (*replacements, true),
-                _ => return Err(Failure::Unsupported),
-            },
-        };
-        if is_named {
-            // The arguments of a call mean nothing where the replacements were declared.
-            self.frames.push(Default::default());
-        }
-        let entries: Vec<_> = table.iter().flatten().copied().collect();
-        let present = self.sheet.graph.variables_of(&entries);
-        let mut substitution = Substitution::default();
-        let mut outcome = Ok(());
-        for replacement in replacements {
-            let target = self.scalar(&replacement.target);
-            outcome = target.and_then(|target| {
-                match self.variable_of(target)? {
-                    // What does not occur need not have a value.
-                    By::Variable(id) if !present.contains(&id) => {}
-                    By::Variable(id) => {
-                        let value = self.scalar(&replacement.value)?;
-                        substitution.variables.insert(id, value);
-                    }
-                    By::Function(function, order, place) => {
-                        let value = self.scalar(&replacement.value)?;
-                        substitution
-                            .functions
-                            .push(((function, order, place), value));
-                    }
-                    By::Time => return Err(Failure::NoVariable),
+                Some(Meaning::Substitution(replacements)) => {
+                    self.apart(|own| own.replacing(replacements, &present))
                 }
-                Ok(())
-            });
-            if outcome.is_err() {
-                break;
+                _ => Err(Unknown::Unsupported.into()),
+            },
+        }
+    }
+
+    fn replacing(
+        &mut self,
+        replacements: &'a [Replacement],
+        present: &BTreeSet<VariableId>,
+    ) -> Result<Substitution, Failure> {
+        let mut substitution = Substitution::default();
+        for replacement in replacements {
+            let target = self.scalar(&replacement.target)?;
+            let by = self.variable_of(target)?;
+            // What does not occur need not have a value.
+            if matches!(by, By::Variable(id) if !present.contains(&id)) {
+                continue;
+            }
+            let value = self.scalar(&replacement.value)?;
+            match by {
+                By::Variable(id) => drop(substitution.variables.insert(id, value)),
+                By::Function(function, order, place) => {
+                    let replaced = (function, order, place);
+                    substitution.functions.push((replaced, value));
+                }
+                By::Time => return Err(Unknown::NoVariable.into()),
             }
         }
-        if is_named {
-            self.frames.pop();
-        }
-        outcome.map(|()| substitution)
+        Ok(substitution)
     }
 
     /// ∂fᵢ/∂qⱼ: a row for each entry of f, a column for each entry of q.
@@ -72,14 +68,16 @@ impl<'a> Unfolding<'a> {
         variables: &'a Expression,
     ) -> Result<Table, Failure> {
         let (value, variables) = (self.table(value)?, self.table(variables)?);
-        let mut rows = vec![Vec::new(); value.len()];
-        for variable in variables.iter().flatten() {
-            let mut derivative = Derivative::new(self.variable_of(*variable)?);
-            for (row, entry) in rows.iter_mut().zip(value.iter().flatten()) {
-                row.push(derivative.of(*entry, &mut self.sheet)?);
-            }
+        let (rows, width) = value.shape();
+        if width != 1 {
+            return Err(Unknown::Shape.into());
         }
-        Ok(rows)
+        let by = variables.entries().iter();
+        let by = by.map(|variable| self.variable_of(*variable).map(Derivative::new));
+        let mut by: Vec<Derivative> = by.collect::<Result<_, _>>()?;
+        Table::made(rows, by.len(), |row, column| {
+            by[column].of(value.get(row, 0)?, &mut self.sheet)
+        })
     }
 
     /// The time derivative of every entry.
@@ -102,20 +100,19 @@ impl<'a> Unfolding<'a> {
             match *by {
                 By::Variable(variable) => variables.push(variable),
                 By::Function(function, k, place) => functions.push((function, k, place)),
-                By::Time => return Err(Failure::NoVariable),
+                By::Time => return Err(Unknown::NoVariable.into()),
             }
         }
-        let mut parts = vec![Table::new(); order as usize + 1];
-        for row in table {
-            parts.iter_mut().for_each(|part| part.push(Vec::new()));
-            for entry in row {
-                let terms = self.sheet.parts(*entry, &variables, &functions, order)?;
-                for (part, term) in parts.iter_mut().zip(terms) {
-                    part.last_mut().ok_or(Failure::Unsupported)?.push(term);
-                }
-            }
-        }
-        Ok(parts)
+        let terms = table.entries().iter().map(|entry| {
+            let sheet = &mut self.sheet;
+            sheet.parts(*entry, &variables, &functions, order)
+        });
+        let terms: Vec<Vec<NodeId>> = terms.collect::<Result<_, _>>()?;
+        let part = |degree: usize| {
+            let mut entries = terms.iter().map(|parts| parts[degree]);
+            table.each(|_| entries.next().ok_or(Unknown::Shape.into()))
+        };
+        (0..=order as usize).map(part).collect()
     }
 
     /// The terms up to an order in small quantities.
@@ -127,18 +124,14 @@ impl<'a> Unfolding<'a> {
     ) -> Result<Table, Failure> {
         let order = self.natural(order)?;
         let small = self.table(small)?;
-        let small = small.iter().flatten().map(|entry| self.variable_of(*entry));
+        let small = small.entries().iter();
+        let small = small.map(|entry| self.variable_of(*entry));
         let small: Vec<By> = small.collect::<Result<_, _>>()?;
         let value = self.table(value)?;
         let parts = self.expanded(&value, &small, order)?;
-        let mut sum = Table::new();
-        for row in 0..value.len() {
-            let mut entries = Vec::new();
-            for column in 0..value[row].len() {
-                let terms = parts.iter().map(|part| part[row][column]);
-                entries.push(self.sheet.total(terms)?);
-            }
-            sum.push(entries);
+        let mut sum = value.each(|_| self.sheet.graph.integer(0))?;
+        for part in &parts {
+            sum = sum.zipped(part, |a, b| self.sheet.graph.sum(a, b))?;
         }
         Ok(sum)
     }
