@@ -157,6 +157,22 @@ impl Signs {
     }
 }
 
+impl Signs {
+    /// What is known, as one says it.
+    pub fn in_words(self) -> &'static str {
+        match (self.negative, self.zero, self.positive) {
+            (true, true, true) => "any real number",
+            (true, true, false) => "negative or 0",
+            (true, false, true) => "not 0",
+            (true, false, false) => "negative",
+            (false, true, true) => "0 or positive",
+            (false, true, false) => "0",
+            (false, false, true) => "positive",
+            (false, false, false) => "no number at all",
+        }
+    }
+}
+
 impl fmt::Display for Signs {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match (self.negative, self.zero, self.positive) {

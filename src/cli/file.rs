@@ -1,7 +1,7 @@
 //! One file: read as text within a limit, and written whole or not at all.
 
 use std::fs;
-use std::io::{self, Read};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::stability::input::shortened;
@@ -9,6 +9,7 @@ use crate::stability::input::shortened;
 use super::Outcome;
 use super::folder::stage;
 use super::output::{reason, wrong};
+use super::regular_file;
 
 /// Larger files are no case and no table.
 const LARGEST: u64 = 64 << 20;
@@ -21,9 +22,8 @@ pub fn read_text(path: &Path, what: &str) -> Result<String, Outcome> {
             &format!("name {what}"),
         )
     };
-    let mut bytes = Vec::new();
-    let read = fs::File::open(path).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes));
-    read.map_err(|error| unreadable(&reason(&error)))?;
+    let read = regular_file::bytes(path, LARGEST + 1);
+    let bytes = read.map_err(|error| unreadable(&reason(&error)))?;
     if bytes.len() as u64 > LARGEST {
         return Err(unreadable("it is larger than 64 MiB"));
     }

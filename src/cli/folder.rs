@@ -1,12 +1,14 @@
 //! A folder of generated files: all of them are written, or none.
 
 use std::fs;
-use std::io::{self, ErrorKind, Read, Write};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use sextic_codegen::language::{File, MARK};
 use tempfile::NamedTempFile;
+
+use super::regular_file;
 
 /// What a line of a comment begins with.
 const COMMENT: [char; 6] = ['/', '*', '!', '#', '"', ' '];
@@ -100,7 +102,7 @@ pub fn write(folder: &Path, files: &[File], force: bool) -> Result<Written, Trou
 ///
 /// If it cannot be read.
 pub fn state(path: &Path, text: &str) -> io::Result<State> {
-    match fs::read(path) {
+    match regular_file::bytes(path, u64::MAX) {
         Ok(found) if found == text.as_bytes() => Ok(State::Same),
         Ok(found) => Ok(State::Different(
             String::from_utf8_lossy(&found).into_owned(),
@@ -192,8 +194,7 @@ pub fn staged(folder: &Path) -> io::Result<NamedTempFile> {
 }
 
 fn is_generated(path: &Path) -> io::Result<bool> {
-    let mut head = Vec::new();
-    fs::File::open(path)?.take(HEAD).read_to_end(&mut head)?;
+    let head = regular_file::bytes(path, HEAD)?;
     // A comment that begins with it, not one that quotes it.
     let text = String::from_utf8_lossy(&head);
     let mut lines = text.lines().map(|line| line.trim_start_matches(COMMENT));

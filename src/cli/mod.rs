@@ -18,6 +18,7 @@ mod output;
 mod parquet;
 #[cfg(feature = "stability")]
 mod partial;
+mod regular_file;
 #[cfg(feature = "stability")]
 mod report;
 mod source;

@@ -1,8 +1,8 @@
 //! Reading documents from the disk.
 
 use std::collections::BTreeSet;
-use std::fs;
-use std::io::{ErrorKind, Read};
+use std::io::ErrorKind;
+use std::path::Path;
 
 use crate::derivation::audit::{Audit, Library, audit_after};
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind, SourceFile, render};
@@ -13,6 +13,7 @@ use crate::report::words::counted;
 
 use super::Outcome;
 use super::output::{complain, reason, wrong};
+use super::regular_file;
 
 /// What became of documents.
 pub struct Audited {
@@ -128,10 +129,7 @@ fn read(path: &str) -> Result<SourceFile, Unread> {
 
 /// The bytes of a file, and one more than a document may have of a larger one.
 fn bytes_of(path: &str) -> std::io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    let file = fs::File::open(path)?;
-    file.take(MAXIMUM_SIZE as u64 + 1).read_to_end(&mut bytes)?;
-    Ok(bytes)
+    regular_file::bytes(Path::new(path), MAXIMUM_SIZE as u64 + 1)
 }
 
 fn unreadable(path: &str, error: &std::io::Error) -> Message {

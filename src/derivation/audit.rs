@@ -55,6 +55,8 @@ pub struct Audit {
     pub domain: Domain,
     /// What it and its imports assume beside the signs of quantities, in order.
     pub assumptions: Vec<Assumption>,
+    /// Where it and its imports would assume something that is refused, in order.
+    pub refused_assumptions: Vec<Place>,
     /// The signs that it and its imports declare, in order.
     pub declarations: Vec<Declaration>,
     /// The mistakes in it and in its imports: those of imports first, and each document's in order.
@@ -230,6 +232,7 @@ pub fn audit_after(
         sources: reader.finished,
         domain: reader.domain,
         assumptions: reader.assumptions,
+        refused_assumptions: refusals.assumptions(),
         declarations: reader.declarations,
         elaborator: reader.elaborator,
         aliases: reader.aliases,

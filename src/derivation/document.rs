@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::blank;
 use super::character;
 use super::cursor::Cursor;
 use super::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
@@ -97,11 +98,8 @@ pub fn read_document(source: &SourceFile, imported: &Aliases) -> Result<Document
     let mut statements = Vec::new();
     let mut aliases = imported.clone();
     for block in &found.blocks {
-        unread.extend(
-            character::displaced(text, block)
-                .into_iter()
-                .map(unread_block),
-        );
+        let displaced = character::displaced(text, block).into_iter();
+        unread.extend(displaced.chain(blank::gaps(text, block)).map(unread_block));
         let tokens = lexer::tokens(text, block);
         for range in statement_ranges(text, &tokens) {
             let tokens = &tokens[range];

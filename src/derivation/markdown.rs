@@ -2,26 +2,17 @@
 
 mod extension;
 mod html;
+mod unjudged;
 
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
 use super::character::faults;
-use super::diagnostic::{Diagnostic, DiagnosticKind, nearest};
+use super::diagnostic::{Diagnostic, DiagnosticKind};
 use super::syntax::Span;
+use unjudged::{Shown, is_nearly_ours};
 
 /// The first word behind the fence of a block in this language.
 const LANGUAGE: &str = "sextic";
-
-/// The words that begin what a reader takes for judged.
-const ASSERTIONS: [&str; 7] = [
-    "claim",
-    "refute",
-    "approximate",
-    "ill-formed",
-    "eigenpair",
-    "match",
-    "evaluator",
-];
 
 /// What a document contains besides its prose.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -59,57 +50,136 @@ impl Blocks {
 /// Finds the blocks as a Markdown reader does, with the fences that do not pair up, and with whatever a
 /// renderer may hide, move or show though it is not executed.
 pub fn blocks(text: &str) -> (Blocks, Vec<Diagnostic>) {
-    let mut found = Blocks::default();
-    let mut errors = Vec::new();
-    let mut whole = Vec::new();
-    let mut heading: Option<String> = None;
+    let mut reading = Reading {
+        text,
+        ..Reading::default()
+    };
     for (event, span) in Parser::new_ext(text, Options::empty()).into_offset_iter() {
-        errors.extend(written_otherwise(text, &event, &span));
+        reading.read(event, span);
+    }
+    reading.finish()
+}
+
+/// A document as far as it is read.
+#[derive(Default)]
+struct Reading<'a> {
+    text: &'a str,
+    found: Blocks,
+    errors: Vec<Diagnostic>,
+    /// The blocks in this language with their fences.
+    whole: Vec<Span>,
+    /// The blocks with fences in whatever language.
+    fenced: Vec<Span>,
+    /// The first heading, as long as it is open.
+    heading: Option<String>,
+    paragraph: html::Paragraph,
+    /// The block that is open and not executed.
+    unjudged: Option<Shown>,
+}
+
+impl Reading<'_> {
+    fn read(&mut self, event: Event<'_>, span: Span) {
+        let text = self.text;
+        self.errors.extend(written_otherwise(text, &event, &span));
+        if bounds_paragraph(&event) {
+            self.errors.extend(self.paragraph.end(text));
+        }
         match event {
-            Event::Start(Tag::Heading { .. }) if found.title.is_none() => {
-                heading = Some(String::new());
-            }
-            Event::End(TagEnd::Heading(_)) => found.title = found.title.or(heading.take()),
-            Event::Text(part) | Event::Code(part) => {
-                if let Some(heading) = &mut heading {
-                    heading.push_str(&part);
-                }
-            }
-            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(information))) => {
-                let language = information.split_whitespace().next().unwrap_or_default();
-                let is_ours = language == LANGUAGE;
-                if !is_ours && is_nearly_ours(language) {
-                    errors.push(misspelt(text, &span, language));
-                }
-                if language.is_empty() && found.nameless.is_none() {
-                    found.nameless = Some(opening(text, &span));
-                }
-                match lines_of(text, &span, is_ours) {
-                    Ok(lines) if is_ours => {
-                        found.blocks.push(lines);
-                        whole.push(span);
-                    }
-                    Ok(lines) if language.is_empty() => {
-                        errors.extend(not_executed(text, &lines));
-                    }
-                    Ok(_) => {}
-                    Err(error) => errors.push(error),
-                }
-            }
-            Event::Start(Tag::CodeBlock(CodeBlockKind::Indented)) => {
-                errors.extend(not_executed(text, &span));
-            }
-            Event::Start(Tag::HtmlBlock) => {
-                errors.extend(html::fault(text, &span).or_else(|| not_executed(text, &span)));
-            }
-            Event::InlineHtml(_) => errors.extend(html::fault(text, &span)),
+            Event::Start(tag) => self.open(&tag, span),
+            Event::End(tag) => self.close(tag),
+            Event::Text(part) | Event::Code(part) | Event::Html(part) => self.show(&part, span),
+            Event::InlineHtml(_) => self.errors.extend(self.paragraph.fault(text, &span)),
             _ => {}
         }
     }
-    if errors.is_empty() {
-        errors.extend(extension::difference(text, &whole));
+
+    fn open(&mut self, tag: &Tag<'_>, span: Span) {
+        match tag {
+            Tag::Heading { .. } if self.found.title.is_none() => {
+                self.heading = Some(String::new());
+            }
+            Tag::CodeBlock(CodeBlockKind::Fenced(information)) => {
+                self.open_fenced(information, span);
+            }
+            Tag::CodeBlock(CodeBlockKind::Indented) => self.unjudged = Some(Shown::default()),
+            Tag::HtmlBlock => match html::fault(self.text, &span) {
+                Some(error) => self.errors.push(error),
+                None => self.unjudged = Some(Shown::default()),
+            },
+            _ => {}
+        }
     }
-    (found, errors)
+
+    fn open_fenced(&mut self, information: &str, span: Span) {
+        self.fenced.push(span.clone());
+        let language = information.split_whitespace().next().unwrap_or_default();
+        let is_ours = language == LANGUAGE;
+        if !is_ours && is_nearly_ours(information) {
+            self.errors.push(misspelt(self.text, &span, information));
+        }
+        if language.is_empty() && self.found.nameless.is_none() {
+            self.found.nameless = Some(opening(self.text, &span));
+        }
+        match lines_of(self.text, &span, is_ours) {
+            Ok(lines) if is_ours => {
+                self.found.blocks.push(lines);
+                self.whole.push(span);
+            }
+            Ok(_) => self.unjudged = Some(Shown::of(language)),
+            Err(error) => self.errors.push(error),
+        }
+    }
+
+    fn show(&mut self, part: &str, span: Span) {
+        if let Some(heading) = &mut self.heading {
+            heading.push_str(part);
+        }
+        if let Some(unjudged) = &mut self.unjudged {
+            unjudged.push(part, span);
+        }
+    }
+
+    fn close(&mut self, tag: TagEnd) {
+        match tag {
+            TagEnd::Heading(_) => {
+                let heading = self.heading.take();
+                self.found.title = self.found.title.take().or(heading);
+            }
+            TagEnd::CodeBlock | TagEnd::HtmlBlock => {
+                let unjudged = self.unjudged.take();
+                self.errors.extend(unjudged.and_then(|shown| shown.fault()));
+            }
+            _ => {}
+        }
+    }
+
+    /// What is found; where nothing is wrong by itself, also what programs do not agree on.
+    fn finish(self) -> (Blocks, Vec<Diagnostic>) {
+        let mut errors = self.errors;
+        if errors.is_empty() {
+            let difference = html::line_of_its_own(self.text, &self.fenced);
+            let difference = difference.or_else(|| extension::difference(self.text, &self.whole));
+            errors.extend(difference);
+        }
+        (self.found, errors)
+    }
+}
+
+/// Whether a paragraph ends or another one begins, be it that of a heading or of a list.
+fn bounds_paragraph(event: &Event<'_>) -> bool {
+    match event {
+        Event::Start(tag) => bounds(&tag.to_end()),
+        Event::End(tag) => bounds(tag),
+        _ => false,
+    }
+}
+
+/// Whether something is more than a part of a line.
+fn bounds(tag: &TagEnd) -> bool {
+    !matches!(
+        tag,
+        TagEnd::Emphasis | TagEnd::Strong | TagEnd::Link | TagEnd::Image
+    )
 }
 
 /// What nobody sees in a text whose characters are written in another way, such as `&shy;`.
@@ -128,45 +198,12 @@ fn written_otherwise(text: &str, event: &Event<'_>, span: &Span) -> Option<Diagn
     Some(Diagnostic { span, ..fault })
 }
 
-/// The first line of a block that a reader takes for judged, and that is not executed.
-fn not_executed(text: &str, lines: &Span) -> Option<Diagnostic> {
-    let mut start = lines.start;
-    for line in text[lines.clone()].split_inclusive('\n') {
-        let said = line.trim();
-        if is_assertion(said) || opens_ours(said) {
-            let start = start + line.len() - line.trim_start().len();
-            let message = "this looks like a block of `sextic`, and is not executed";
-            let help = format!(
-                "begin the block at the left margin with ```{LANGUAGE}, or name another language there"
-            );
-            let span = start..start + said.len();
-            let error = Diagnostic::new(DiagnosticKind::Hidden, span, message);
-            return Some(error.with_label("never judged").with_help(help));
-        }
-        start += line.len();
-    }
-    None
-}
-
-/// Whether a line begins as an assertion does, with its label.
-fn is_assertion(line: &str) -> bool {
-    let mut rests = ASSERTIONS.iter().filter_map(|word| line.strip_prefix(word));
-    rests.any(|rest| rest.trim_start().starts_with(['(', '[']) && rest.contains(':'))
-}
-
 /// Whether a line opens a block of this language.
 fn opens_ours(line: &str) -> bool {
     let fence = fence_of(line);
     let information = line.trim_start().trim_start_matches(fence);
     let is_fence = fence.len() >= 3 && fence.starts_with(['`', '~']);
     is_fence && information.split_whitespace().next() == Some(LANGUAGE)
-}
-
-/// Whether a language is `Sextic`, `sextix` or `{.sextic}`, which would be passed over.
-fn is_nearly_ours(language: &str) -> bool {
-    let mut words = language.split(|letter: char| !letter.is_alphanumeric());
-    let word = words.find(|word| !word.is_empty()).unwrap_or_default();
-    nearest(word, [LANGUAGE]).is_some()
 }
 
 /// A block that would be passed over, since its language is not spelled as it must be.

@@ -2,6 +2,7 @@
 
 pub mod assertion;
 pub mod audit;
+mod blank;
 mod character;
 pub mod condition;
 mod cursor;

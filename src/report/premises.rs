@@ -16,6 +16,8 @@ pub struct Premises<'a> {
     pub signs: Vec<(Sign, Vec<&'a Name>)>,
     /// What it assumes beside.
     pub assumptions: Vec<&'a Assumption>,
+    /// The lines of what it would assume, and what is refused.
+    pub refused: Vec<usize>,
 }
 
 impl<'a> Premises<'a> {
@@ -30,10 +32,13 @@ impl<'a> Premises<'a> {
             }
         }
         let assumptions = audit.assumptions.iter();
+        let refused = audit.refused_assumptions.iter();
+        let refused = refused.filter(|place| place.path == path);
         Premises {
             path,
             signs,
             assumptions: assumptions.filter(|own| own.place.path == path).collect(),
+            refused: refused.map(|place| place.line).collect(),
         }
     }
 
@@ -51,6 +56,17 @@ impl<'a> Premises<'a> {
         let relations = self.assumptions.iter();
         let relations = relations.map(|own| notation.relation(&own.relation));
         (!self.assumptions.is_empty()).then(|| Phrase::default().list(relations, ", "))
+    }
+
+    /// `what lines 4 and 7 would assume`; nothing where all is assumed that is written.
+    fn refused(&self) -> Option<String> {
+        let lines = match self.refused.as_slice() {
+            [] => return None,
+            [line] => format!("line {line}"),
+            [one, other] => format!("lines {one} and {other}"),
+            [one, other, rest @ ..] => format!("lines {one}, {other} and {} more", rest.len()),
+        };
+        Some(format!("what {lines} would assume"))
     }
 }
 
@@ -74,7 +90,8 @@ pub fn lines(audit: &Audit, notation: Notation) -> Vec<(&'static str, Phrase)> {
         };
         lines.push(("assumes", phrase));
     }
-    if own.assumptions.is_empty() {
+    let refused = own.refused().map(Phrase::of_words);
+    if own.assumptions.is_empty() && refused.is_none() {
         let words = match (own.signs.is_empty(), imports.is_empty()) {
             (true, true) => "nothing, and no sign is declared",
             (true, false) => "nothing itself, and declares no sign",
@@ -83,15 +100,16 @@ pub fn lines(audit: &Audit, notation: Notation) -> Vec<(&'static str, Phrase)> {
         };
         lines.push(("assumes", Phrase::of_words(words)));
     }
+    lines.extend(refused.map(|phrase| ("refused", phrase)));
     let imports = imports.iter();
     lines.extend(imports.map(|import| ("imports", imported(import, notation))));
     lines
 }
 
-/// `springs.md, which declares k > 0, and assumes k < 1`
+/// `springs.md, which declares k > 0, and assumes k < 1; what line 9 would assume is refused`
 fn imported(import: &Premises<'_>, notation: Notation) -> Phrase {
     let phrase = Phrase::of_words(import.path);
-    match (import.declared(notation), import.assumed(notation)) {
+    let phrase = match (import.declared(notation), import.assumed(notation)) {
         (None, None) => phrase.words(", which declares no sign and assumes nothing"),
         (Some(declared), None) => phrase.words(", which declares ").then(declared),
         (None, Some(assumed)) => phrase.words(", which assumes ").then(assumed),
@@ -100,5 +118,9 @@ fn imported(import: &Premises<'_>, notation: Notation) -> Phrase {
             .then(declared)
             .words(", and assumes ")
             .then(assumed),
+    };
+    match import.refused() {
+        Some(refused) => phrase.words(format!("; {refused} is refused")),
+        None => phrase,
     }
 }

@@ -1,5 +1,6 @@
 //! The command as a user runs it: what it prints where, and its exit status.
 
+mod documents;
 #[cfg(feature = "stability")]
 mod figures;
 #[cfg(feature = "stability")]

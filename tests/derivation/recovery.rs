@@ -4,7 +4,9 @@ use std::path::PathBuf;
 
 use sextic::derivation::audit::{Audit, audit};
 use sextic::derivation::diagnostic::SourceFile;
+use sextic::derivation::notation::Notation;
 use sextic::derivation::verdict::{Claim, Verdict};
+use sextic::report::premises;
 
 use super::{Folder, block, data};
 
@@ -90,9 +92,11 @@ fn a_mistake_costs_what_builds_on_it() {
     assert!(count > 30, "{count}");
 }
 
-/// Mistakes, skipped statements and claims, a line each.
+/// Premises, mistakes, skipped statements and claims, a line each.
 fn lines(audit: &Audit) -> String {
-    let mut lines = Vec::new();
+    let premises = premises::lines(audit, Notation::Unicode).into_iter();
+    let premises = premises.map(|(keyword, phrase)| format!("{keyword} {}", phrase.plain()));
+    let mut lines: Vec<String> = premises.collect();
     for mistake in &audit.mistakes {
         let source = audit.source_of(mistake).expect("a source");
         let (line, column) = source.line_and_column(&mistake.diagnostic.span);

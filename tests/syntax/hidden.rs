@@ -68,6 +68,8 @@ fn what_a_paper_holds_is_read() {
         WELL,
         "A table:\n\n| a | b |\n|---|---|\n| 1 | 2 |\n\n***\n\n```sextic\nclaim (1): 1 == 1\n```\n",
         "H<sub>2</sub>O<br>\n\n<!-- a note -->\n\n```sextic\nclaim (1): 1 == 1\n```\n",
+        "> <https://a.b>\n> x<sup>a<sub>1</sub></sup>\n\n```rust\nmatch (a, b) { _ => c::d }\n```\n\n```sextic\nclaim (1): 1 == 1\n```\n",
+        "````markdown\n```sextic\nclaim (1): 1 == 2\n```\n````\n\n    claims (1): many\n\n```sextic\nclaim (1): 1 == 1\n```\n",
         "A note.[^1]\n\n```sextic\nclaim (1): 1 == 1\n```\n\n[^1]: Below.\n",
         "> [!NOTE]\n> Look.\n\n---\n\n```sextic\nclaim (1): 1 == 1\n```\n",
         "```sextic\nparameter ω_n, S_xθ, C_D, α_g, ρ, p, ΔT : 1 \"Ж 中 é\" # Ж\nclaim [§ 2 — Größe]: 1 == 1\n```\n",
@@ -119,7 +121,8 @@ const HTML: &[(&str, &str)] = &[
     ("<template>\n\n", "\n</template>\n"), ("<script>\n", "\n</script>\n"), ("<pre>\n\n", "\n</pre>\n"),
     ("<textarea>\n\n", "\n</textarea>\n"), ("a <i style=\"x\">\n\n", "\n"), ("<?\n", "\n?>\n"),
     ("<p\nhidden>\n\n", "\n"), ("<![CDATA[\n", "\n]]>\n"), ("<!X\n\n", "\n"), ("<svg/>\n\n", "\n"),
-    ("<STYLE>\n\n", "\n"), ("</div>\n\n", "\n"), ("- a\n\n  <div>\n\n", "\n"), ("# <del>a\n\n", "\n"),
+    ("<STYLE>\n\n", "\n"), ("> a\n<br>\n", "\n"), ("a <sub>\n\n", "\nb </sub>\n"), ("<sub>\n\n", "\n</sub>\n"),
+    ("</div>\n\n", "\n"), ("- a\n\n  <div>\n\n", "\n"), ("# <del>a\n\n", "\n"),
 ];
 
 /// Letters that look the same, in pairs.

@@ -9,7 +9,7 @@ use crate::algebra::number::Integer;
 use crate::algebra::sign::Signs;
 use crate::derivation::condition::Conditions;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::derivation::elaboration::error::{algebra, quantity};
+use crate::derivation::elaboration::error::{algebra, sides};
 use crate::derivation::function;
 use crate::derivation::mention::Mention;
 use crate::derivation::quantity::common_unit;
@@ -149,7 +149,7 @@ impl Reader<'_> {
                 relation,
                 description,
             } => {
-                self.assume(relation, &statement.span)?;
+                self.assume(relation)?;
                 self.assumptions.push(Assumption {
                     relation: relation.clone(),
                     description: description.clone(),
@@ -217,10 +217,12 @@ impl Reader<'_> {
             .declare(name, meaning, description.clone())
     }
 
-    fn assume(&mut self, relation: &Relation, span: &Span) -> Result<(), Diagnostic> {
+    fn assume(&mut self, relation: &Relation) -> Result<(), Diagnostic> {
+        let span = &(relation.left.span.start..relation.right.span.end);
         let left = self.elaborator.scalar(&relation.left)?;
         let right = self.elaborator.scalar(&relation.right)?;
-        common_unit(&left.unit, &right.unit).map_err(|error| quantity(error, span))?;
+        common_unit(&left.unit, &right.unit)
+            .map_err(|error| sides(error, &relation.left, &relation.right, span))?;
         let sides = [&relation.left, &relation.right];
         for (side, quantity) in sides.into_iter().zip([&left, &right]) {
             if !self.elaborator.ring.is_real(&quantity.value) {
@@ -379,7 +381,8 @@ fn contradiction(known: Signs, span: &Span) -> Diagnostic {
     let message = "this assumption contradicts what is declared or assumed above it";
     Diagnostic::new(DiagnosticKind::Inconsistent, span.clone(), message)
         .with_label(format!(
-            "the right side less the left is {known} by what is above"
+            "the right side less the left is {} by what is above",
+            known.in_words()
         ))
         .with_help("from a contradiction everything follows: correct one of the two")
 }

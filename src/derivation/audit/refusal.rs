@@ -136,6 +136,13 @@ impl Refusals {
         self.lose_assumption(&intent, place, scope);
     }
 
+    /// Where something would be assumed that is refused, or builds on what is.
+    pub(super) fn assumptions(&self) -> Vec<Place> {
+        let mut places: Vec<Place> = self.lost.iter().map(|lost| lost.place.clone()).collect();
+        places.dedup();
+        places
+    }
+
     fn lose_names(&mut self, intent: &Intent, scope: &Scope, root: impl Fn(&Name) -> (Root, bool)) {
         let symbols = self.symbols(intent, scope);
         let refused = |name| {

@@ -28,6 +28,8 @@ struct DocumentObject<'a> {
     title: Option<&'a str>,
     declarations: Vec<DeclarationObject<'a>>,
     assumptions: Vec<AssumptionObject<'a>>,
+    /// The lines of what would be assumed and is refused.
+    refused_assumptions: Vec<usize>,
     imports: Vec<ImportObject<'a>>,
     claims: Vec<ClaimObject<'a>>,
     /// The ids of the matchings, which `sextic match` shows.
@@ -56,6 +58,7 @@ struct ImportObject<'a> {
     path: &'a str,
     declarations: Vec<DeclarationObject<'a>>,
     assumptions: Vec<AssumptionObject<'a>>,
+    refused_assumptions: Vec<usize>,
 }
 
 /// A statement that builds on a refused one.
@@ -131,12 +134,14 @@ fn document(audit: &Audit) -> DocumentObject<'_> {
         path: import.path,
         declarations: declarations(import),
         assumptions: assumptions(import),
+        refused_assumptions: import.refused.clone(),
     });
     DocumentObject {
         path: &audit.path,
         title: audit.title.as_deref(),
         declarations: declarations(&own),
         assumptions: assumptions(&own),
+        refused_assumptions: own.refused.clone(),
         imports: imports.collect(),
         claims: audit.claims.iter().map(claim_object).collect(),
         matchings: matching_ids(audit).collect(),

@@ -27,6 +27,7 @@ impl Page {
     }
 
     /// Its columns.
+    #[cfg(feature = "stability")]
     pub fn width(&self) -> usize {
         self.width
     }
