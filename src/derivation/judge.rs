@@ -298,20 +298,25 @@ fn agreement(
     if is_sure && sides.are_total(&sheet.graph) {
         return Ok(POINTS);
     }
-    for evaluation in degenerate {
-        if sides.at(evaluation, &sheet.graph, comparison) == Ok(Agreement::Contradicts) {
-            return Err(Disagreement::Fault);
-        }
+    let (graph, generic) = (&sheet.graph, &mut sheet.generic);
+    let at = |evaluation: &mut Evaluation| match is_sure {
+        true => sides.exist_at(evaluation, graph),
+        false => sides.at(evaluation, graph, comparison),
+    };
+    let mut degenerate = degenerate.iter_mut();
+    if degenerate.any(|evaluation| at(evaluation) == Ok(Agreement::Contradicts)) {
+        return Err(Disagreement::Fault);
     }
+    let enough = if is_sure { 1 } else { POINTS };
     let (mut passed, mut why) = (0, Failure::from(Unknown::Sign));
-    for evaluation in &mut sheet.generic {
-        match sides.at(evaluation, &sheet.graph, comparison) {
+    for evaluation in generic {
+        match at(evaluation) {
             Ok(Agreement::Agrees) => passed += 1,
             Ok(Agreement::Contradicts) => return Err(Disagreement::Fault),
             Ok(Agreement::OutsideOfConditions) => why = NoValue::DivisionByZero.into(),
             Err(unknown) => why = unknown.into(),
         }
-        if passed == POINTS {
+        if passed == enough {
             break;
         }
     }

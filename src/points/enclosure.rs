@@ -237,13 +237,13 @@ impl Enclosure {
         Some((cosine.sum(&spread), sine.sum(&spread)))
     }
 
-    /// arctan a, which grows with a.
+    /// arctan a, which grows with a by its slope 1/(1 + a²) ≤ 1.
     fn arctangent(&self) -> Option<Self> {
-        let [low, high] = [&self.low, &self.high].map(|bound| {
-            let exponent = self.exponent;
-            Enclosure::new(bound.clone(), bound.clone(), exponent).arctangent_of_point()
-        });
-        Some(low?.joined(&high?))
+        let one = Enclosure::from(&Rational::ONE);
+        let slope = one.sum(&self.product(self)).reciprocal().unwrap_or(one);
+        let low = Enclosure::new(self.low.clone(), self.low.clone(), self.exponent);
+        let width = Enclosure::new(Integer::ZERO, &self.high - &self.low, self.exponent);
+        Some(low.arctangent_of_point()?.sum(&width.product(&slope)))
     }
 
     /// arctan a for a single number, by tan(β/2) = tan β/(1 + √(1 + tan²β)) and Σ (−1)ᵏ t²ᵏ⁺¹/(2k + 1).

@@ -145,6 +145,31 @@ impl Sides {
         Ok(Agreement::Agrees)
     }
 
+    /// Whether both sides have values at an assignment.
+    ///
+    /// # Errors
+    ///
+    /// [`Unknown`] where that is not known.
+    pub fn exist_at(
+        &self,
+        evaluation: &mut Evaluation,
+        graph: &Graph,
+    ) -> Result<Agreement, Unknown> {
+        if !self.meets_conditions(evaluation, graph) {
+            return Ok(Agreement::OutsideOfConditions);
+        }
+        let sides = self.compared().iter().flat_map(|(a, b)| [a, b]);
+        let entries = sides.flat_map(Table::entries);
+        for entry in entries.filter(|entry| !graph.is_total(**entry)) {
+            match evaluation.value(graph, *entry) {
+                Ok(_) => {}
+                Err(Failure::NoValue(_)) => return Ok(Agreement::Contradicts),
+                Err(Failure::Unknown(why)) => return Err(why),
+            }
+        }
+        Ok(Agreement::Agrees)
+    }
+
     /// Whether all conditions are known to be met.
     pub fn meets_conditions(&self, evaluation: &mut Evaluation, graph: &Graph) -> bool {
         let mut conditions = self.conditions.iter();
