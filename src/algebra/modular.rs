@@ -152,6 +152,22 @@ impl Field {
     }
 }
 
+/// Whether a number is a prime.
+///
+/// Rabin's test to the bases up to 37 is a proof below 3·10²³.
+pub fn is_prime(number: u64) -> bool {
+    const BASES: [u64; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
+    if number < 2 || BASES.iter().any(|base| number.is_multiple_of(*base)) {
+        return BASES.contains(&number);
+    }
+    let (field, twos) = (Field { prime: number }, (number - 1).trailing_zeros());
+    BASES.iter().all(|base| {
+        let first = field.power(*base, (number - 1) >> twos);
+        let squares = std::iter::successors(Some(first), |power| Some(field.times(*power, *power)));
+        first == 1 || squares.take(twos as usize).any(|power| power == number - 1)
+    })
+}
+
 /// Takes leading zeros away.
 pub(super) fn trim(coefficients: &mut Vec<u64>) {
     let top = coefficients.iter().rposition(|&value| value != 0);
@@ -165,25 +181,29 @@ mod tests {
     #[test]
     fn every_field_is_one_of_a_prime() {
         for field in Field::all() {
-            // Rabin's test to these bases is a proof below 3·10²⁴.
-            let odd = (field.prime() - 1) >> (field.prime() - 1).trailing_zeros();
-            for base in [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41] {
-                let mut power = field.power(base, odd);
-                let mut exponent = odd;
-                while exponent != field.prime() - 1 && power != 1 && power != field.prime() - 1 {
-                    power = field.times(power, power);
-                    exponent *= 2;
-                }
-                assert!(
-                    power == field.prime() - 1 || exponent == odd,
-                    "{}",
-                    field.prime()
-                );
-            }
+            assert!(is_prime(field.prime()));
             assert_eq!(field.times(3, field.inverse(3)), 1);
             assert_eq!(field.residue(&Integer::from(-1)), field.prime() - 1);
             assert_eq!(field.difference(1, 2), field.prime() - 1);
         }
+    }
+
+    #[test]
+    fn primes_are_told_from_other_numbers() {
+        let divides = |number: u64| (2..number).any(|divisor| number.is_multiple_of(divisor));
+        for number in 0..2_000 {
+            assert_eq!(is_prime(number), number > 1 && !divides(number), "{number}");
+        }
+        // Products of two large primes, and numbers that pass the test to some of the bases.
+        for number in [
+            1_373_653,
+            3_215_031_751,
+            3_825_123_056_546_413_051,
+            4_294_967_291 * 2_147_483_647,
+        ] {
+            assert!(!is_prime(number), "{number}");
+        }
+        assert!(is_prime((1 << 61) - 1));
     }
 
     #[test]

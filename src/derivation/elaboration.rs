@@ -278,10 +278,8 @@ impl Elaborator {
 
     /// Pays for a value that is kept until the document ends.
     pub(super) fn keep(&self, value: &Value, span: &Span) -> Result<(), Diagnostic> {
-        let entries = value.entries().iter();
-        entries
-            .map(|entry| self.pay(&entry.value, STEPS_FOR_A_KEPT_TERM, span))
-            .collect()
+        let mut entries = value.entries().iter();
+        entries.try_for_each(|entry| self.pay(&entry.value, STEPS_FOR_A_KEPT_TERM, span))
     }
 
     /// A polynomial as an expression, which is kept until the document ends.

@@ -5,6 +5,8 @@
 //! to each other but those that are followed here, so that what vanishes does so everywhere.
 //! The numbers depend on the text of the document: nobody can write a document that knows them.
 
+use crate::algebra::modular::is_prime;
+
 use super::graph::{FunctionId, Graph, Node, NodeId};
 
 /// A residue a + b·i.
@@ -29,15 +31,11 @@ enum Owner {
 }
 
 impl Formal {
-    /// Values that depend on a seed: the modulus too.
+    /// Values that depend on a seed: the modulus too, which is a prime, so that what is not 0 has an inverse.
     pub fn new(seed: [u64; 2]) -> Self {
-        const SMALL_PRIMES: [u64; 8] = [2, 3, 5, 7, 11, 13, 17, 19];
-        let mut modulus = mix(seed[0] ^ mix(seed[1])) >> 2 | 1 << 61;
-        while SMALL_PRIMES
-            .iter()
-            .any(|prime| modulus.is_multiple_of(*prime))
-        {
-            modulus += 1;
+        let mut modulus = mix(seed[0] ^ mix(seed[1])) >> 2 | 1 << 61 | 1;
+        while !is_prime(modulus) {
+            modulus += 2;
         }
         Formal {
             modulus,
