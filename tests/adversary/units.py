@@ -181,6 +181,7 @@ class Units:
     def call(self, name, arguments):
         """The units of a built-in function."""
         if name in ("sin", "cos", "tan", "cot", "angle"):
+            same(self.one(arguments[0]), self.one(arguments[1]) if name == "angle" else ONE)
             return [[ONE]]
         if name == "identity":
             n = int(exact(arguments[0]))
