@@ -58,7 +58,7 @@ pub struct Elaborator {
 /// What it costs to keep a term of a value, and one that is written out as an expression: with these the
 /// budget of a document bounds its memory.
 const STEPS_FOR_A_KEPT_TERM: u64 = 50;
-const STEPS_FOR_A_WRITTEN_TERM: u64 = 400;
+const STEPS_FOR_A_WRITTEN_TERM: u64 = 1_000;
 
 /// What stands for a name within a call.
 #[derive(Clone, Debug)]

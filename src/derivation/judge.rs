@@ -184,7 +184,9 @@ impl<'a> Court<'a> {
     fn renew(&mut self) {
         let sheet = &mut self.unfolding.sheet;
         let evaluations = sheet.generic.len() + self.degenerate.len();
-        let steps = self.steps.min(STEPS[1]) / evaluations.max(1);
+        let allowed = self.steps.min(STEPS[1]);
+        self.candidates.steps = allowed;
+        let steps = allowed / evaluations.max(1);
         for evaluation in sheet.generic.iter_mut().chain(&mut self.degenerate) {
             evaluation.steps = steps;
             evaluation.forget_many();
@@ -217,17 +219,15 @@ impl<'a> Court<'a> {
             Err(Failure::NoValue(_)) if is_true(&finding.outcome) => fault_of_routes(&mut claim),
             Err(failure) => claim.reason = Some(no_value(&finding.outcome, failure)),
         }
-        let spent = before.saturating_sub(self.left()) + self.candidates.spent;
-        self.candidates.spent = 0;
-        self.steps = self.steps.saturating_sub(spent);
+        self.steps = self.steps.saturating_sub(before.saturating_sub(self.left()));
         claim
     }
 
-    /// How many operations the random assignments may still take.
+    /// How many operations the assertion may still take.
     fn left(&self) -> usize {
         let generic = self.unfolding.sheet.generic.iter();
         let all = generic.chain(&self.degenerate);
-        all.map(|evaluation| evaluation.steps).sum()
+        all.map(|evaluation| evaluation.steps).sum::<usize>() + self.candidates.steps
     }
 
     fn judge(&mut self, finding: &Finding, sides: &Sides, claim: &mut Claim) {

@@ -17,6 +17,9 @@ use super::{Failure, NoValue, Unknown};
 /// How many values are kept at most before they are forgotten.
 const MOST_VALUES: usize = 50_000;
 
+/// What a series of many terms costs, in operations.
+const PRICE_OF_A_SERIES: usize = 300;
+
 /// The values of the nodes of a graph at an assignment.
 #[derive(Clone, Debug)]
 pub struct Evaluation {
@@ -62,8 +65,9 @@ impl Evaluation {
     pub fn value(&mut self, graph: &Graph, id: NodeId) -> Result<Number, Failure> {
         self.known.resize(graph.size().max(self.known.len()), None);
         for part in graph.unknown_values(id, |part| self.known[Graph::place(part)].is_some()) {
-            self.steps = self.steps.checked_sub(1).ok_or(Unknown::TooLarge)?;
             let value = self.compute(graph, part).and_then(moderate);
+            let price = price(graph.node(part), &value);
+            self.steps = self.steps.checked_sub(price).ok_or(Unknown::TooLarge)?;
             self.known[Graph::place(part)] = Some(Box::new(value));
             self.count += 1;
         }
@@ -216,6 +220,16 @@ impl Evaluation {
             shown.extend(found.into_iter().map(|one| (one.name.clone(), one)));
         }
         shown.into_values().collect()
+    }
+}
+
+/// What the value of a node costs, in operations on numbers of one word.
+fn price(node: &Node, value: &Result<Number, Failure>) -> usize {
+    let words = value.as_ref().map_or(0, Number::words);
+    match node {
+        Node::Direction { .. } | Node::Cosine(_) | Node::Sine(_) => PRICE_OF_A_SERIES,
+        // Fractions are reduced in about so many steps.
+        _ => 1 + words * words / 8,
     }
 }
 

@@ -52,6 +52,11 @@ impl Number {
         self.real.is_legible() && self.imaginary.as_ref().is_none_or(Real::is_legible)
     }
 
+    /// How long its fractions are, in words.
+    pub fn words(&self) -> usize {
+        self.real.words() + self.imaginary.as_ref().map_or(0, Real::words)
+    }
+
     /// Both parts.
     fn parts(&self) -> (Real, Real) {
         let zero = Real::Exact(Rational::ZERO);

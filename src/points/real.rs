@@ -7,7 +7,7 @@ use dashu_base::{BitTest, SquareRoot, UnsignedAbs};
 
 use crate::algebra::number::{Integer, Rational};
 
-use super::enclosure::Enclosure;
+use super::enclosure::{DIGITS, Enclosure};
 
 /// A real number.
 #[derive(Clone, Debug)]
@@ -25,6 +25,14 @@ impl From<Rational> for Real {
 }
 
 impl Real {
+    /// How long its fraction or its bounds are, in words.
+    pub fn words(&self) -> usize {
+        match self {
+            Real::Exact(number) => bits(number) / 64,
+            Real::Enclosed(_) => 2 * DIGITS / 64,
+        }
+    }
+
     /// Bounds of the number.
     pub fn enclosure(&self) -> Cow<'_, Enclosure> {
         match self {
@@ -82,6 +90,10 @@ impl Real {
     }
 }
 
+fn bits(number: &Rational) -> usize {
+    number.numerator().bit_len() + number.denominator().bit_len()
+}
+
 /// Arithmetic of real numbers, which keeps fractions as long as they are not longer than so many bits.
 #[derive(Clone, Copy, Debug)]
 pub struct Reals {
@@ -92,7 +104,7 @@ pub struct Reals {
 impl Reals {
     /// The exact number, or bounds of it where it is too long.
     pub fn shortened(self, number: Rational) -> Real {
-        let bits = number.numerator().bit_len() + number.denominator().bit_len();
+        let bits = bits(&number);
         match bits <= self.longest {
             true => Real::Exact(number),
             false => Real::Enclosed(Enclosure::from(&number)),

@@ -7,7 +7,7 @@ from frame import Context
 from judgement import OPEN, RIGHT, WRONG, Judgement
 from assignment import equal
 from matrices import rows
-from series import Mistake, NoValue, Unknown, constant
+from series import Mistake, NoValue, Unknown, constant, is_zero
 from syntax import Unreadable, expression, node
 
 STEPS = tuple(mpf(10) ** -n for n in (8, 12, 16, 20))
@@ -19,9 +19,10 @@ def judged(oracle, report, count):
     try:
         solution = [expression(report["solution"][unknown]) for unknown in report["unknowns"]]
         found = solved(oracle, name, solution, count)
-        for singularity in report["singularities"]:
+        factors = [expression(singularity["factor"]) for singularity in report["singularities"]]
+        for factor, singularity in zip(factors, report["singularities"]):
             if found.result == RIGHT and singularity["finite"]:
-                found = finite(oracle, name, expression(singularity["factor"]), count)
+                found = finite(oracle, name, factor, [other for other in factors if other != factor], count)
         return found
     except (Unreadable, Mistake, KeyError) as reason:
         return Judgement("matching", OPEN, f"unreadable: {reason}")
@@ -47,15 +48,26 @@ def solved(oracle, name, solution, count):
     return Judgement("matching", RIGHT if seen else OPEN, "" if seen else "never solved")
 
 
-def finite(oracle, name, factor, count):
-    """Whether the solution stays finite beside the places at which a factor vanishes."""
+def finite(oracle, name, factor, others, count):
+    """Whether the solution stays finite beside the places at which a factor vanishes, and no other one does."""
     for assignment in oracle.sampler.pooled(count):
         for variable in list(assignment.values):
             place = oracle.zero(factor, (), assignment, variable)
-            if place is not None and grows(oracle, name, assignment, variable, place):
+            there = None if place is None else assignment.changed(variable, place)
+            if there is None or not oracle.sampler.satisfies(there) or any(vanishes(oracle, other, there) for other in others):
+                continue
+            if grows(oracle, name, assignment, variable, place):
                 return Judgement("matching", WRONG, f"not finite where {factor} vanishes: {variable[1]} = "
                                  f"{series.mp.nstr(place, 12)} at {assignment.shown()}")
     return Judgement("matching", RIGHT)
+
+
+def vanishes(oracle, factor, assignment):
+    """Whether a factor is 0, or has no value, at an assignment."""
+    try:
+        return is_zero(constant(oracle.evaluator.scalar(factor, Context(assignment))))
+    except (NoValue, Unknown):
+        return True
 
 
 def grows(oracle, name, assignment, variable, place):

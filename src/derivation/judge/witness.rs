@@ -11,7 +11,6 @@ use crate::points::graph::{Graph, NodeId};
 use crate::points::number::Number;
 use crate::points::{Failure, Search, Unknown, measured};
 
-use super::STEPS;
 use super::coordinate::coordinate;
 use super::sides::{Difference, Sides};
 
@@ -40,8 +39,8 @@ pub struct Candidates<'a> {
     search: Search,
     /// By the angles whose measure is a fraction.
     found: BTreeMap<BTreeSet<String>, Vec<Option<Evaluation>>>,
-    /// How many operations they took.
-    pub spent: usize,
+    /// How many operations they may still take for the assertion.
+    pub steps: usize,
 }
 
 impl<'a> Candidates<'a> {
@@ -51,7 +50,7 @@ impl<'a> Candidates<'a> {
             scope,
             search,
             found: BTreeMap::new(),
-            spent: 0,
+            steps: 0,
         }
     }
 
@@ -69,7 +68,7 @@ impl<'a> Candidates<'a> {
         };
         let (mut found, mut fruitless) = (None, Fruitless::NoPoint);
         let mut most = MOST_POINTS;
-        let (mut steps, scope) = (STEPS[1], self.scope);
+        let (mut steps, scope) = (self.steps, self.scope);
         let nodes = sides.nodes(degree);
         for place in 0..MOST_POINTS {
             if place >= most || steps == 0 {
@@ -95,7 +94,7 @@ impl<'a> Candidates<'a> {
                 Err(why) => fruitless = telling(fruitless, why),
             }
         }
-        self.spent += STEPS[1] - steps;
+        self.steps = steps;
         found.ok_or(fruitless)
     }
 
@@ -105,7 +104,7 @@ impl<'a> Candidates<'a> {
             return false;
         };
         let (nodes, scope) = (sides.nodes(degree), self.scope);
-        let mut steps = STEPS[1];
+        let mut steps = self.steps;
         let mut places = 0..MOST_POINTS_AFTER;
         let found = places.any(|place| {
             let Some(evaluation) = self.at(place, &nodes, graph, &mut steps) else {
@@ -117,7 +116,7 @@ impl<'a> Candidates<'a> {
             evaluation.forget();
             tried.is_ok()
         });
-        self.spent += STEPS[1] - steps;
+        self.steps = steps;
         found
     }
 
