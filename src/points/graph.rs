@@ -268,9 +268,15 @@ impl Graph {
         match node {
             Node::ImaginaryUnit => traits.real = false,
             Node::Variable(id) => traits.real = self.variable(*id).kind != Kind::Complex,
-            Node::Quotient(..) => traits.total = false,
-            Node::Root(_) | Node::Direction { .. } => {
-                (traits.total, traits.real, traits.branched) = (false, true, true);
+            Node::Quotient(_, below) => traits.total &= self.signs(*below).is_non_zero(),
+            Node::Root(radicand) => {
+                traits.total &= self.signs(*radicand).is_non_negative();
+                (traits.real, traits.branched) = (true, true);
+            }
+            Node::Direction { x, y, .. } => {
+                let is_seen = |part: &NodeId| self.signs(*part).is_non_zero();
+                traits.total &= traits.real && (is_seen(x) || is_seen(y));
+                (traits.real, traits.branched) = (true, true);
             }
             Node::Function { .. } => {
                 (traits.total, traits.real) = (traits.total && traits.real, true)
