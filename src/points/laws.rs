@@ -417,6 +417,18 @@ proptest! {
     }
 }
 
+/// A power of a number is computed where it is short, and else left as it is.
+#[test]
+fn long_powers_are_not_computed() {
+    let mut graph = Graph::default();
+    let third = graph.number(Rational::ONE / Rational::from(3));
+    let third = third.expect("a number");
+    for (exponent, is_computed) in [(2, true), (1365, true), (1366, false), (1 << 30, false)] {
+        let power = graph.power(third, exponent).expect("a power");
+        assert_eq!(graph.as_number(power).is_some(), is_computed, "{exponent}");
+    }
+}
+
 /// Identities are seen, and nothing else is.
 #[test]
 fn what_vanishes_is_told_from_what_does_not() {
