@@ -200,7 +200,7 @@ pub(super) fn quotient(
 mod tests {
     use proptest::prelude::*;
 
-    use super::super::polynomial::notation::{arbitrary, polynomial};
+    use super::super::polynomial::notation::{arbitrary, polynomial, symbol};
     use super::*;
 
     #[test]
@@ -241,6 +241,27 @@ mod tests {
                 let bounds = degrees_of_gcd(&left, &right, &budget).unwrap();
                 prop_assert!(bounds.iter().next().is_none());
             }
+        }
+    }
+
+    proptest! {
+        /// A wrong grid is not seen in a gcd, since the subresultants find what it misses.
+        #[test]
+        fn a_grid_shows_what_is_common(
+            left in arbitrary(3, 1, 20), right in arbitrary(3, 1, 20), common in arbitrary(4, 2, 100),
+            letter in prop_oneof![Just('a'), Just('c'), Just('e')],
+        ) {
+            let (budget, symbol) = (Budget::unlimited(), symbol(letter));
+            // A grid has an axis for every symbol.
+            let common = &common + &polynomial("3*a + b + c + d + 2*e");
+            let main = |own: Polynomial| split_content(&own.primitive_part(), symbol, &budget).unwrap().1;
+            let common = main(common);
+            let [left, right] = [left, right].map(|side| main(side.multiply(&common, &budget).unwrap()));
+            prop_assume!(!left.is_zero() && !right.is_zero());
+            let bounds = degrees_of_gcd(&left, &right, &budget).unwrap();
+            let found = interpolation::gcd(&left, &right, symbol, &bounds, &budget).unwrap();
+            let found = found.expect("a small grid");
+            prop_assert!(found.divide_exact(&common, &budget).unwrap().is_some());
         }
     }
 

@@ -192,6 +192,19 @@ mod tests {
         TrigonometricSums::new(Budget::new(1_000_000))
     }
 
+    #[test]
+    fn a_product_costs_a_step_for_each_pair_of_words() {
+        let term = |angle: u32| TrigonometricSum::sine(&Rational::from(angle));
+        let all = |angles: std::ops::Range<u32>| {
+            let plus = |a: TrigonometricSum, b| sums().sum(&a, &b).expect("short");
+            angles.map(term).fold(TrigonometricSum::default(), plus)
+        };
+        let (three, four) = (all(1..4), all(1..5));
+        let product = |steps| TrigonometricSums::new(Budget::new(steps)).product(&three, &four);
+        assert!(product(12).is_ok());
+        assert!(product(11).is_err());
+    }
+
     proptest! {
         #[test]
         fn sums_of_sines_are_a_ring(a in sum(), b in sum(), c in sum()) {
@@ -208,6 +221,24 @@ mod tests {
             let sign = Intervals::new(200).enclosure(&a).sign();
             prop_assert_eq!(a.is_zero(), sign == KnownSign::Zero);
             prop_assert!(sign != KnownSign::Unknown);
+        }
+
+        #[test]
+        fn a_sum_has_the_value_of_its_terms(terms in prop::collection::vec((-9_i64..9, -3_i64..4, -3_i64..4), 0..6)) {
+            let intervals = Intervals::new(100);
+            let (mut sum, mut value) = (TrigonometricSum::default(), intervals.zero());
+            for (angle, a, b) in terms {
+                let [angle, a, b] = [angle, a, b].map(Rational::from);
+                let circle = intervals.cosine_and_sine(&angle);
+                for (factor, part) in [&a, &b].into_iter().zip(&circle) {
+                    let Ok(term) = intervals.product(&intervals.rational(factor), part);
+                    let Ok(total) = intervals.sum(&value, &term);
+                    value = total;
+                }
+                sum.add(angle, [a, b]);
+            }
+            let difference = intervals.enclosure(&sum).compared(&value);
+            prop_assert!(matches!(difference, KnownSign::Zero | KnownSign::Unknown));
         }
 
         #[test]

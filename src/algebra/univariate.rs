@@ -190,5 +190,31 @@ mod tests {
             prop_assert_eq!(polynomials.value(&shifted, &number(at)).unwrap(), number(value));
             prop_assert_eq!(polynomials.value(&polynomial, &number(at + by)).unwrap(), number(value));
         }
+
+        #[test]
+        fn products_quotients_and_slopes_have_their_values(
+            a in prop::collection::vec(-9_i64..10, 0..6), b in prop::collection::vec(-9_i64..10, 1..4), at in -5_i64..6,
+        ) {
+            let numbers = TrigonometricSums::new(Budget::new(1_000_000));
+            let polynomials = Univariate(&numbers);
+            let of = |own: &[i64]| polynomials.polynomial(own.iter().copied().map(number).collect());
+            let value = |own: &[i64]| own.iter().rev().fold(0_i128, |sum, own| sum * i128::from(at) + i128::from(*own));
+            let found = |own: &Vec<TrigonometricSum>| polynomials.value(own, &number(at)).unwrap();
+            let expected = |own: i128| TrigonometricSum::from(Rational::from(own));
+            let product = polynomials.product(&of(&a), &of(&b)).unwrap();
+            prop_assert_eq!(found(&product), expected(value(&a) * value(&b)));
+            prop_assert!(product.last().is_none_or(|last| !last.is_zero()));
+            let slopes: Vec<i64> = (0..).zip(&a).skip(1).map(|(power, own)| power * own).collect();
+            prop_assert_eq!(polynomials.derivative(&of(&a)).unwrap(), of(&slopes));
+            let divisor = of(&b);
+            prop_assume!(!divisor.is_empty());
+            let (quotient, rest) = polynomials.pseudo_division(&of(&a), &divisor).unwrap();
+            prop_assert!(rest.len() < divisor.len());
+            let leading = i128::from(*b.iter().rfind(|own| **own != 0).unwrap());
+            let [quotient, rest] = [quotient, rest].map(|own| found(&own));
+            let sum = numbers.sum(&numbers.product(&quotient, &expected(value(&b))).unwrap(), &rest).unwrap();
+            let multiple = |power: u32| expected(value(&a) * leading.pow(2 * power));
+            prop_assert!((0..=4).any(|power| sum == multiple(power)));
+        }
     }
 }

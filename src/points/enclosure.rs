@@ -511,6 +511,23 @@ mod tests {
     }
 
     #[test]
+    fn numbers_beyond_a_million_binary_digits_are_extreme() {
+        for (exponent, is_extreme) in [
+            (0, false),
+            ((1 << 20) - 1, false),
+            (1 << 20, true),
+            ((1 << 20) + 1, true),
+            (-(1 << 20), false),
+            (-(1 << 20) - 1, true),
+        ] {
+            let one = Enclosure::new(Integer::ONE, Integer::ONE, exponent);
+            assert_eq!(one.is_extreme(), is_extreme, "{exponent}");
+            let zero = Enclosure::new(Integer::ZERO, Integer::ZERO, exponent);
+            assert!(!zero.is_extreme());
+        }
+    }
+
+    #[test]
     fn numbers_that_differ_do_not_meet() {
         let root = Enclosure::from(&Rational::from(2)).square_root().unwrap();
         let near = rational(1_414_213_562_373_095_048, 1_000_000_000_000_000_000);

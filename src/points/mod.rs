@@ -16,6 +16,8 @@ pub mod evaluation;
 mod failure;
 mod formal;
 pub mod graph;
+#[cfg(test)]
+mod laws;
 mod matrix;
 pub mod meaning;
 pub mod number;

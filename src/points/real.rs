@@ -185,3 +185,57 @@ pub fn exact_root(square: &Rational) -> Option<Rational> {
     let root = Rational::from_parts(Integer::from(root), below);
     (&root * &root == *square).then_some(root)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// √n − 1 for n > 1.
+    fn enclosed(n: i32) -> Real {
+        let reals = Reals { longest: 64 };
+        let root = reals.square_root(&Rational::from(n).into());
+        reals.sum(&root.expect("a root"), &Rational::from(-1).into())
+    }
+
+    #[test]
+    fn what_is_exactly_0_or_1_is_known_to_be() {
+        let reals = Reals { longest: 64 };
+        let (zero, one) = (Real::from(Rational::ZERO), Real::from(Rational::ONE));
+        let own = enclosed(2);
+        assert!(reals.product(&own, &zero).is_zero() && reals.product(&zero, &own).is_zero());
+        for same in [reals.sum(&own, &zero), reals.sum(&zero, &own)] {
+            assert!(same.may_be(&own) && same.as_rational().is_none());
+        }
+        assert_eq!(reals.power(&own, 0).as_rational(), one.as_rational());
+        let four = Rational::from(4) / Rational::from(9);
+        let root = reals.square_root(&four.into()).expect("a root");
+        assert_eq!(root.display(), "2/3");
+        assert!(reals.square_root(&Rational::from(-4).into()).is_none());
+        assert!(reals.reciprocal(&zero).is_none());
+    }
+
+    #[test]
+    fn a_sign_is_known_or_not() {
+        let reals = Reals { longest: 64 };
+        let own = enclosed(2);
+        let nothing = reals.sum(&own, &reals.negative(&own));
+        for (number, sign) in [
+            (own.clone(), Some(Ordering::Greater)),
+            (reals.negative(&own), Some(Ordering::Less)),
+            (nothing, None),
+            (Rational::ZERO.into(), Some(Ordering::Equal)),
+            (Rational::from(-1).into(), Some(Ordering::Less)),
+        ] {
+            assert_eq!(number.sign(), sign, "{number:?}");
+        }
+    }
+
+    #[test]
+    fn long_fractions_are_enclosed() {
+        let reals = Reals { longest: 64 };
+        let long = Rational::from(Integer::ONE << 62);
+        assert!(reals.shortened(long.clone()).as_rational().is_some());
+        let longer = reals.shortened(&long * &long);
+        assert!(longer.as_rational().is_none() && longer.may_be(&(&long * &long).into()));
+    }
+}
