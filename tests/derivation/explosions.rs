@@ -135,9 +135,9 @@ fn numbers_of_a_point_may_not_grow_without_bound() {
 
 #[test]
 fn the_arctangent_of_a_wide_enclosure_ends() {
-    let text = "parameter x : 1 > 0\nA := 10^83*sqrt(2) - 10^83*sqrt(2) + 4194305\n\
+    let text = "parameter x : 1 > 0\nA := 10^83*sqrt(2) - sqrt(2*10^166) + 4194305\n\
                 claim (1): angle(x, A) == 1";
-    assert_eq!(outcome(text), "undecided");
+    assert!(["refuted", "undecided"].contains(&&*outcome(text)));
 }
 
 #[test]
