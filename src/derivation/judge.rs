@@ -219,7 +219,9 @@ impl<'a> Court<'a> {
             Err(Failure::NoValue(_)) if is_true(&finding.outcome) => fault_of_routes(&mut claim),
             Err(failure) => claim.reason = Some(no_value(&finding.outcome, failure)),
         }
-        self.steps = self.steps.saturating_sub(before.saturating_sub(self.left()));
+        self.steps = self
+            .steps
+            .saturating_sub(before.saturating_sub(self.left()));
         claim
     }
 

@@ -184,7 +184,7 @@ impl Sheet {
     ///
     /// # Errors
     ///
-    /// [`NoValue::ZeroVector`] for (0, 0), and those of [`Sheet::vanishes`].
+    /// [`NoValue::ZeroVector`](super::NoValue::ZeroVector) for (0, 0), and those of [`Sheet::vanishes`].
     pub fn direction(&mut self, x: NodeId, y: NodeId) -> Made {
         let parallel = self.parallel(x, y)?;
         let (angle, along) = match parallel {
