@@ -506,6 +506,9 @@ mod tests {
             |a, b| Enclosure::from(&Rational::from(a)).joined(&Enclosure::from(&Rational::from(b)));
         assert!(!between(1, 900).is_legible() && !between(-1, 1).is_legible());
         assert!(between(0, 0).is_legible() && between(899, 900).is_legible());
+        // What is 0 to half of all digits may be shown as 0.
+        let around = |exponent| Enclosure::new(Integer::NEG_ONE, Integer::ONE, exponent);
+        assert!(around(-200).is_legible() && !around(-100).is_legible());
         // An arctangent of what is no number ends.
         assert!(between(0, 1 << 23).arctangent().is_some());
     }

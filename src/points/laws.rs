@@ -510,6 +510,27 @@ fn values_of_functions_are_told_apart() {
     }
 }
 
+/// Degrees far above the first that is tried are found; beyond that, nothing is said.
+#[test]
+fn coefficients_of_high_powers_are_found() {
+    for (degree, is_found) in [(0, true), (7, true), (8, true), (50, true), (70, false)] {
+        let mut sheet = sheet();
+        let z = variable(Z, &mut sheet.graph);
+        let x = Tree::Variable(X)
+            .node(&mut sheet.graph)
+            .expect("a variable");
+        let free = sheet.graph.free(z).expect("a variable");
+        let sum = sheet.graph.sum(free, x).expect("a sum");
+        let power = sheet.graph.power(sum, degree).expect("a power");
+        let found = sheet.falling_coefficients(power, By::Variable(z));
+        let length = found.as_ref().map(Vec::len);
+        match is_found {
+            true => assert_eq!(length, Ok(degree as usize + 1)),
+            false => assert_eq!(length, Err(&Unknown::NoPolynomial.into())),
+        }
+    }
+}
+
 /// The polynomial 0 has no coefficients, however it is written.
 #[test]
 fn a_polynomial_that_vanishes_has_no_coefficients() {
