@@ -617,3 +617,19 @@ fn what_vanishes_is_told_from_what_does_not() {
         );
     }
 }
+
+/// Roots may depend on each other in ways that are not followed: then nothing is said.
+#[test]
+fn roots_that_agree_without_being_seen_to_are_not_told_apart() {
+    let mut sheet = sheet();
+    let graph = &mut sheet.graph;
+    let number = |graph: &mut Graph, n: i64| graph.integer(n).expect("a number");
+    let (one, two, three) = (number(graph, 1), number(graph, 2), number(graph, 3));
+    let root = graph.root(two).expect("a root");
+    let twice = graph.product(two, root).expect("a product");
+    let sum = graph.sum(three, twice).expect("a sum");
+    let nested = graph.root(sum).expect("a root");
+    let same = graph.sum(one, root).expect("a sum");
+    assert_eq!(sheet.is_same(nested, same), Err(Unknown::Identity.into()));
+    assert_eq!(sheet.is_same(nested, root), Ok(false));
+}
