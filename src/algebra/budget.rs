@@ -68,6 +68,12 @@ impl Budget {
         self.limit
     }
 
+    /// The number of steps that were taken from a full supply.
+    #[cfg(test)]
+    pub(super) fn spent(&self) -> u64 {
+        self.limit - self.remaining.get()
+    }
+
     /// Makes the supply full again, for the next computation; after some full ones were used up, there
     /// is none.
     pub fn refill(&self) {

@@ -336,6 +336,37 @@ mod tests {
     }
 
     #[test]
+    fn the_invariant_is_checked() {
+        for (numerator, denominator, is_valid) in [
+            ("a", "b", true),
+            ("0", "1", true),
+            ("3*a", "2", true),
+            ("a", "0", false),
+            ("a", "-b", false),
+            ("4*a", "6*b", false),
+            ("a*b", "b*c", false),
+            ("0", "2", false),
+        ] {
+            let fraction = Fraction {
+                numerator: polynomial(numerator),
+                denominator: polynomial(denominator),
+            };
+            assert_eq!(fraction.is_valid(), is_valid, "{fraction:?}");
+        }
+    }
+
+    #[test]
+    fn what_has_no_denominator_costs_no_gcd() {
+        let budget = Budget::new(100_000);
+        let [left, right] = ["a + b", "c + d"].map(|text| Fraction::from(polynomial(text)));
+        left.product(&right, &budget).unwrap();
+        assert_eq!(budget.spent(), 4);
+        left.quotient(&fraction("1", "c + d").unwrap(), &budget)
+            .unwrap();
+        assert_eq!(budget.spent(), 8);
+    }
+
+    #[test]
     fn fractions_are_reduced() {
         for (n, d, numerator, denominator) in [
             ("0", "-a", "0", "1"),

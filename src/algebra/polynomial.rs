@@ -309,6 +309,29 @@ mod tests {
     }
 
     #[test]
+    fn terms_that_stand_twice_are_not_valid() {
+        let (a, b) = (
+            Monomial::power(symbol('a'), 1),
+            Monomial::power(symbol('b'), 1),
+        );
+        for (first, second, coefficient, is_valid) in [
+            (&a, &b, 1, true),
+            (&a, &a, 1, false),
+            (&b, &a, 1, false),
+            (&a, &b, 0, false),
+        ] {
+            let terms = [
+                (first.clone(), Integer::ONE),
+                (second.clone(), coefficient.into()),
+            ];
+            let polynomial = Polynomial {
+                terms: terms.into_iter().collect(),
+            };
+            assert_eq!(polynomial.is_valid(), is_valid, "{polynomial:?}");
+        }
+    }
+
+    #[test]
     fn constants_are_recognised() {
         assert_eq!(Polynomial::zero().as_constant(), Some(Integer::ZERO));
         assert_eq!(polynomial("7").as_constant(), Some(Integer::from(7)));

@@ -293,6 +293,36 @@ mod tests {
     }
 
     #[test]
+    fn a_product_costs_a_step_for_each_pair_of_words() {
+        let of = |terms: u16| {
+            let term =
+                |k| Polynomial::from_terms([(Monomial::power(symbol('a'), k), Integer::ONE)]);
+            (0..terms)
+                .map(term)
+                .fold(Polynomial::zero(), |sum, term| &sum + &term)
+        };
+        let long = of(3).scale(&(Integer::ONE << 100));
+        let kept = STEPS_FOR_A_TERM * (119 - MOST_FREE as u64);
+        for (left, right, steps) in [
+            (of(0), of(3), 0),
+            (of(3), Polynomial::one(), 0),
+            (Polynomial::one(), of(3), 0),
+            (of(3), of(2), 6),
+            (long, of(2), 12),
+            (of(60), of(41), 60 * 41),
+            (of(60), of(60), 60 * 60 + kept),
+        ] {
+            let budget = Budget::new(100_000);
+            left.multiply(&right, &budget).unwrap();
+            assert_eq!(budget.spent(), steps);
+        }
+        // Four times the words of the result, and its terms.
+        let budget = Budget::new(100_000);
+        of(2).power(9, &budget).unwrap();
+        assert_eq!(budget.spent(), 4 * 10);
+    }
+
+    #[test]
     fn the_largest_sums_of_every_width_fit() {
         // The middle coefficient of the square of c + c·a + c·a² is 3·c².
         for bits in 28..66 {

@@ -203,6 +203,12 @@ mod tests {
         let product = |steps| TrigonometricSums::new(Budget::new(steps)).product(&three, &four);
         assert!(product(12).is_ok());
         assert!(product(11).is_err());
+        // 2⁵⁰⁰ has four words.
+        let long = Rational::from(dashu_int::IBig::ONE << 500_usize);
+        let long = TrigonometricSum::sine(&Rational::ONE).scaled(&long);
+        let product = |steps| TrigonometricSums::new(Budget::new(steps)).product(&three, &long);
+        assert!(product(12).is_ok());
+        assert!(product(11).is_err());
     }
 
     proptest! {

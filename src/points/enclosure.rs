@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use dashu_base::{BitTest, SquareRoot, UnsignedAbs};
+use dashu_base::{Abs, BitTest, Signed, SquareRoot, UnsignedAbs};
 
 use crate::algebra::interval::Intervals;
 use crate::algebra::number::{Integer, Rational};
@@ -324,12 +324,8 @@ pub fn circle_point(angle: &Rational) -> (Enclosure, Enclosure) {
 
 /// The first so many digits of a number, in a decimal fraction.
 fn decimal(number: &Rational, digits: usize) -> String {
-    let sign = if *number < Rational::ZERO { "-" } else { "" };
-    let size = if *number < Rational::ZERO {
-        -number.clone()
-    } else {
-        number.clone()
-    };
+    let sign = if number.is_negative() { "-" } else { "" };
+    let size = number.clone().abs();
     let whole = (size.numerator() / size.denominator()).to_string();
     let mut leading = 0;
     if whole == "0" && !size.is_zero() {
@@ -506,8 +502,19 @@ mod tests {
             |a, b| Enclosure::from(&Rational::from(a)).joined(&Enclosure::from(&Rational::from(b)));
         assert!(!between(1, 900).is_legible() && !between(-1, 1).is_legible());
         assert!(between(0, 0).is_legible() && between(899, 900).is_legible());
+        // What is 0 to half of all digits may be shown as 0.
+        let around = |exponent| Enclosure::new(Integer::NEG_ONE, Integer::ONE, exponent);
+        assert!(around(-200).is_legible() && !around(-100).is_legible());
         // An arctangent of what is no number ends.
         assert!(between(0, 1 << 23).arctangent().is_some());
+    }
+
+    #[test]
+    fn the_middle_is_half_way_between_the_bounds() {
+        for exponent in [-3, 0, 3, 400] {
+            let middle = Enclosure::new(Integer::ONE, Integer::from(3), exponent).middle();
+            assert_eq!(middle, Rational::from(2).pow(exponent as isize + 1));
+        }
     }
 
     #[test]

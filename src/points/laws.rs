@@ -510,6 +510,27 @@ fn values_of_functions_are_told_apart() {
     }
 }
 
+/// Degrees far above the first that is tried are found; beyond that, nothing is said.
+#[test]
+fn coefficients_of_high_powers_are_found() {
+    for (degree, is_found) in [(0, true), (7, true), (8, true), (50, true), (70, false)] {
+        let mut sheet = sheet();
+        let z = variable(Z, &mut sheet.graph);
+        let x = Tree::Variable(X)
+            .node(&mut sheet.graph)
+            .expect("a variable");
+        let free = sheet.graph.free(z).expect("a variable");
+        let sum = sheet.graph.sum(free, x).expect("a sum");
+        let power = sheet.graph.power(sum, degree).expect("a power");
+        let found = sheet.falling_coefficients(power, By::Variable(z));
+        let length = found.as_ref().map(Vec::len);
+        match is_found {
+            true => assert_eq!(length, Ok(degree as usize + 1)),
+            false => assert_eq!(length, Err(&Unknown::NoPolynomial.into())),
+        }
+    }
+}
+
 /// The polynomial 0 has no coefficients, however it is written.
 #[test]
 fn a_polynomial_that_vanishes_has_no_coefficients() {
@@ -595,4 +616,20 @@ fn what_vanishes_is_told_from_what_does_not() {
             "{left:?} and {right:?}"
         );
     }
+}
+
+/// Roots may depend on each other in ways that are not followed: then nothing is said.
+#[test]
+fn roots_that_agree_without_being_seen_to_are_not_told_apart() {
+    let mut sheet = sheet();
+    let graph = &mut sheet.graph;
+    let number = |graph: &mut Graph, n: i64| graph.integer(n).expect("a number");
+    let (one, two, three) = (number(graph, 1), number(graph, 2), number(graph, 3));
+    let root = graph.root(two).expect("a root");
+    let twice = graph.product(two, root).expect("a product");
+    let sum = graph.sum(three, twice).expect("a sum");
+    let nested = graph.root(sum).expect("a root");
+    let same = graph.sum(one, root).expect("a sum");
+    assert_eq!(sheet.is_same(nested, same), Err(Unknown::Identity.into()));
+    assert_eq!(sheet.is_same(nested, root), Ok(false));
 }

@@ -237,3 +237,46 @@ pub fn measured(graph: &Graph, roots: &[NodeId]) -> BTreeSet<String> {
     }
     names
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn search(purpose: Purpose) -> Search {
+        Search {
+            signs: Arc::default(),
+            measured: Arc::default(),
+            assumed: Vec::new(),
+            purpose,
+        }
+    }
+
+    #[test]
+    fn every_sort_of_numbers_is_drawn() {
+        let sizes = |purpose, places| -> Vec<Size> {
+            let search = search(purpose);
+            (0..places)
+                .map(|place| search.draw(place, 0).size)
+                .collect()
+        };
+        assert_eq!(sizes(Purpose::Existence, DEGENERATE_PLACES), DEGENERATE);
+        assert_eq!(sizes(Purpose::Trust, 4), LARGE);
+        let growing = |place| search(Purpose::Show).draw(place, 0).size;
+        let grown = [0, 39, 40, 80, 120, 160, 1000].map(growing);
+        let expected = [0, 0, 1, 2, 3, 4, 4].map(|place: usize| SMALL[place]);
+        assert_eq!(grown, expected);
+        // What is drawn again is larger, too.
+        assert_eq!(search(Purpose::Show).draw(0, 40).size, SMALL[1]);
+        assert_eq!(search(Purpose::Existence).draw(0, 40).size, SMALL[1]);
+        assert_eq!(search(Purpose::Existence).draw(0, 39).size, DEGENERATE[0]);
+    }
+
+    #[test]
+    fn no_two_attempts_draw_the_same() {
+        let attempts = [0, 1, 399, 400, 1999];
+        let places = (0..40).flat_map(|place| attempts.map(|attempt| seed(place, attempt)));
+        let seeds: Vec<u64> = places.collect();
+        let different: BTreeSet<u64> = seeds.iter().copied().collect();
+        assert_eq!(different.len(), seeds.len());
+    }
+}

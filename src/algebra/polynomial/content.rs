@@ -81,10 +81,9 @@ impl Polynomial {
 
 /// The greatest common divisor, zero for two zeros.
 pub(in crate::algebra) fn integer_gcd(left: &Integer, right: &Integer) -> Integer {
-    match (left.is_zero(), right.is_zero()) {
-        (true, _) => right.abs(),
-        (_, true) => left.abs(),
-        _ => Integer::from(left.gcd(right)),
+    match right.is_zero() {
+        true => left.abs(),
+        false => Integer::from(left.gcd(right)),
     }
 }
 
