@@ -94,3 +94,24 @@ impl Division for Ring {
         self.product(a, &inverse)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::budget::Budget;
+    use super::*;
+
+    #[test]
+    fn a_power_of_what_has_no_root_is_that_of_its_sides() {
+        let mut ring = Ring::new(Budget::new(10_000));
+        let [x, y] = ["x", "y"].map(|name| {
+            let name = name.into();
+            let symbol = ring.symbol(Generator::Constant { name }).unwrap();
+            ring.element(symbol)
+        });
+        let sum = ring.sum(&x, &y).unwrap();
+        let (before, sides) = (ring.budget().spent(), Budget::new(10_000));
+        let power = ring.power(&sum, 9).unwrap();
+        assert_eq!(power, sum.power(9, &sides).unwrap());
+        assert_eq!(ring.budget().spent() - before, sides.spent());
+    }
+}

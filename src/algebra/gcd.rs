@@ -266,6 +266,28 @@ mod tests {
     }
 
     #[test]
+    fn a_grid_costs_its_points_times_the_terms() {
+        let powers = |factor: fn(i64) -> i64| {
+            let term = |k: i64| (Monomial::power(symbol('a'), k as u16), factor(k).into());
+            Polynomial::from_terms((0..=60).map(term))
+        };
+        let (common, budget) = (polynomial("a + b"), Budget::unlimited());
+        let sides = [powers(|_| 1), powers(|k| k + 1)];
+        let [left, right] = sides.map(|side| side.multiply(&common, &budget).unwrap());
+        let bounds = degrees_of_gcd(&left, &right, &budget).unwrap();
+        let budget = Budget::new(100_000);
+        let found = interpolation::gcd(&left, &right, symbol('a'), &bounds, &budget).unwrap();
+        assert_eq!(found, Some(common));
+        // Two points, at each of which both have 62 powers.
+        let least = 2 * 62 * 62;
+        assert!(
+            (least..2 * least).contains(&budget.spent()),
+            "{}",
+            budget.spent()
+        );
+    }
+
+    #[test]
     fn multiples_of_five_terms_are_cheap() {
         let common = polynomial("3*a^3*b*e - 7*b^2*c^2*d + 5*c^3*e^2 + 2*a*d^3 - 11");
         let left = polynomial("2*a^2*b^3 - 5*c*d*e^2 + 7*b*d^3 - 3*a*c^2*e + 13*d");

@@ -113,6 +113,15 @@ mod tests {
     }
 
     #[test]
+    fn bounds_cost_the_powers_and_the_products_of_degrees() {
+        let (left, right) = (polynomial("a^4 - 1"), polynomial("a^6*b - b"));
+        let budget = Budget::new(1_000);
+        degrees_of_gcd(&left, &right, &budget).unwrap();
+        let (of_left, of_right) = (2 + 1, 3 + 2);
+        assert_eq!(budget.spent(), of_left + of_right + 4 * 6);
+    }
+
+    #[test]
     fn vanishing_leading_coefficients_leave_the_trivial_bound() {
         // Both leading coefficients are multiples of the prime.
         let prime = Polynomial::constant(Integer::from(PRIME));

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use dashu_base::Signed;
+
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::error::AlgebraError;
 use crate::algebra::generator::Generator;
-use crate::algebra::number::Integer;
 use crate::algebra::sign::Signs;
 use crate::derivation::condition::Conditions;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
@@ -272,7 +273,7 @@ impl Reader<'_> {
             && monomial.degree() == 1
             && let Some((symbol, _)) = monomial.factors().next()
         {
-            let of_symbol = match *coefficient > Integer::ZERO {
+            let of_symbol = match coefficient.is_positive() {
                 true => signs,
                 false => signs.opposite(),
             };
