@@ -311,6 +311,9 @@ mod tests {
             let own = intervals.times(&intervals.plus(&intervals.times(&x, &y), &intervals.negative(&z)), &x);
             let exact = (&a * &b - &c) * &a;
             prop_assert!(holds(&intervals, &own, &exact));
+            prop_assert_eq!(intervals.one(), intervals.rational(&Rational::ONE));
+            prop_assert!(intervals.is_zero(&intervals.zero()) && !intervals.is_zero(&intervals.one()));
+            prop_assert_eq!(intervals.is_zero(&x), a.is_zero());
             let half = rational(1, 2) * (&a + &b);
             prop_assert!(holds(&intervals, &x.middle(&y), &half));
         }
