@@ -13,7 +13,7 @@ use super::real::exact_root;
 use super::search::{Purpose, Search};
 use super::sheet::Sheet;
 use super::substitution::Substitution;
-use super::{Failure, Unknown};
+use super::{Failure, NoValue, Unknown};
 use crate::algebra::number::Rational;
 use crate::algebra::sign::Signs;
 
@@ -632,4 +632,26 @@ fn roots_that_agree_without_being_seen_to_are_not_told_apart() {
     let same = graph.sum(one, root).expect("a sum");
     assert_eq!(sheet.is_same(nested, same), Err(Unknown::Identity.into()));
     assert_eq!(sheet.is_same(nested, root), Ok(false));
+}
+
+/// What rests on a detour may have a value where the detour fails.
+#[test]
+fn what_rests_on_a_detour_may_have_a_value() {
+    let mut graph = Graph::default();
+    let [x, z] = [X, Z].map(|place| Tree::Variable(place).node(&mut graph).expect("a node"));
+    let one = graph.integer(1).expect("a number");
+    let inverse = graph.quotient(one, z).expect("a quotient");
+    let detour = graph.by_detour(inverse).expect("a node");
+    let sum = graph.sum(detour, x).expect("a sum");
+    let root = graph.root(sum).expect("a root");
+    let failure = Failure::from(NoValue::DivisionByZero);
+    for (node, expected) in [
+        (inverse, failure),
+        (detour, Unknown::Detour.into()),
+        (sum, Unknown::Detour.into()),
+        (root, Unknown::Detour.into()),
+    ] {
+        assert_eq!(graph.failure_within(node, failure), expected);
+    }
+    assert_eq!(graph.by_detour(x), Ok(x));
 }

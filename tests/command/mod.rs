@@ -289,6 +289,22 @@ fn matchings_are_part_of_the_audit() {
 }
 
 #[test]
+fn an_explanation_shows_definitions_both_sides_and_their_unit() {
+    let statements = "f := a + b\nclaim [square]: f^2 == a*a + 2*a*b + b*b";
+    let path = document("explained.md", &block(statements));
+    let path = path.to_str().expect("a path");
+    let output = sextic(&["audit", path, "--explain", "square"]);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    for part in [
+        "Rests on\n  f := a + b\n",
+        "Both sides in normal form\n  (a + b)²\n",
+        "Unit\n  m²\n",
+    ] {
+        assert!(text.contains(part), "{text}");
+    }
+}
+
+#[test]
 fn a_verdict_that_differs_names_its_place() {
     let (_, out, _) = status_of("place.md", "claim [one]: a == b");
     assert_eq!(out.matches("place.md:5").count(), 2, "{out}");
