@@ -241,6 +241,7 @@ fn nothing_is_refuted_without_a_point() {
     for (found, evaluated) in [
         ("claim (1): x == y", "claim (1): x == x"),
         ("claim (1): x > y", "claim (1): x == x"),
+        ("claim (1): x == y", "claim (1): x/0 == y"),
         (
             "approximate (1): sin(θ) ≈ 2*θ to order 2 in θ",
             "approximate (1): sin(θ) ≈ θ to order 2 in θ",
