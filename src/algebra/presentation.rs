@@ -125,10 +125,7 @@ impl Ring {
     /// # Ok::<(), sextic::algebra::error::AlgebraError>(())
     /// ```
     pub fn factored(&self, element: &Fraction) -> Result<Factored, AlgebraError> {
-        let above = self.shorten(element.numerator())?;
-        let below = self.shorten(element.denominator())?;
-        // Shortening may have made a sine appear on both sides of the line.
-        let reduced = Fraction::new(above, below, self.budget())?;
+        let reduced = self.shortened(element)?;
         let mut exponents: BTreeMap<Polynomial, i64> = BTreeMap::new();
         for (side, sign) in [(reduced.numerator(), 1), (reduced.denominator(), -1)] {
             for (factor, multiplicity) in side.square_free(self.budget())? {
@@ -141,6 +138,20 @@ impl Ring {
             coefficient: Rational::from(above) / Rational::from(below),
             factors: exponents.into_iter().collect(),
         })
+    }
+
+    /// An element with sin α in place of what 1 − cos²α has made of it, in lowest terms again.
+    ///
+    /// Complexity: that of [`Ring::shorten`] for both sides of the line, and a gcd.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::Exhausted`] where the budget or a polynomial's size runs out.
+    pub fn shortened(&self, element: &Fraction) -> Result<Fraction, AlgebraError> {
+        let above = self.shorten(element.numerator())?;
+        let below = self.shorten(element.denominator())?;
+        // Shortening may have made a sine appear on both sides of the line.
+        Fraction::new(above, below, self.budget())
     }
 
     /// The signs an element can have under the assumptions.

@@ -8,7 +8,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::number::Rational;
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::ring::Ring;
-use crate::algebra::substitution::Substitution;
+use crate::algebra::substitution::{Replacing, Substitution};
 
 /// What a polynomial must be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -138,6 +138,7 @@ impl Conditions {
         ring: &mut Ring,
     ) -> Result<Conditions, AlgebraError> {
         let mut conditions = Conditions::default();
+        let mut replacing = Replacing::by(substitution);
         for (step, polynomial) in &self.steps {
             let symbols = ring.constituents(&polynomial.clone().into());
             if symbols
@@ -148,7 +149,7 @@ impl Conditions {
                 continue;
             }
             let element = ring.fraction(polynomial, &Polynomial::one())?;
-            let image = ring.substitute(&element, substitution)?;
+            let image = replacing.image(&element, ring)?;
             match step {
                 Step::Division => conditions.divide(&image, ring)?,
                 Step::Root => conditions.root(&image, ring)?,

@@ -116,7 +116,8 @@ pub struct Claim {
     pub reason: Option<String>,
     /// The normal forms of both sides; nothing where they cannot be compared.
     pub sides: Option<(Value, Value)>,
-    /// At how many random points both sides were compared and found equal.
+    /// At how many random places both sides were compared and found equal or in order: assignments, or
+    /// random numbers modulo a large prime.
     pub points: usize,
     /// Whether it is undecided since the two routes disagree, which is a mistake of this program.
     pub fault: bool,

@@ -76,7 +76,7 @@ pub fn neglected(claim: &Claim, notation: Notation) -> Option<Phrase> {
 
 /// How the verdict was reached, in a sentence without a full stop.
 pub fn route(claim: &Claim) -> String {
-    let points = words::counted(claim.points, "random point");
+    let points = words::counted(claim.points, "random place");
     let points = format!("evaluation at {points}");
     match claim.verdict {
         Verdict::Holds | Verdict::HoldsWhere if claim.statement.comparison == Comparison::Equal => {

@@ -7,6 +7,7 @@ use crate::algebra::error::AlgebraError;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::number::Rational;
 use crate::algebra::sign::Signs;
+use crate::algebra::substitution::Replacing;
 use crate::algebra::symbol::Symbol;
 use crate::compile::input::Input;
 use crate::derivation::audit::Audit;
@@ -36,8 +37,9 @@ impl Specification {
         let images = elaborator.admit(numbers, &(0..0));
         let images = images.map_err(|error| refuse(error.message))?;
         let after = self.conditions.substitute(&images, &mut elaborator.ring);
+        let mut replacing = Replacing::by(&images);
         for requirement in &self.requirements {
-            let difference = elaborator.ring.substitute(&requirement.difference, &images);
+            let difference = replacing.image(&requirement.difference, &mut elaborator.ring);
             let difference = difference.map_err(|error| refuse(error.to_string()))?;
             let is_met = difference
                 .as_constant()

@@ -7,7 +7,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::number::Integer;
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::sign::Signs;
-use crate::algebra::substitution::Substitution;
+use crate::algebra::substitution::{Replacing, Substitution};
 use crate::algebra::symbol::Symbol;
 use crate::derivation::condition::Conditions;
 use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind, nearest};
@@ -71,8 +71,9 @@ impl Elaborator {
             substitution.insert(symbol, image.value);
         }
         self.require_after(&needed, &substitution, span)?;
+        let mut replacing = Replacing::by(&substitution);
         value.try_map(|entry| {
-            let image = self.ring.substitute(&entry.value, &substitution);
+            let image = replacing.image(&entry.value, &mut self.ring);
             Ok(Quantity {
                 value: image.map_err(|error| algebra(error, span))?,
                 unit: entry.unit.clone(),
@@ -315,9 +316,10 @@ impl Elaborator {
                 .chain(assumptions.polynomials().iter().cloned())
                 .collect()
         };
+        let mut replacing = Replacing::by(substitution);
         for (polynomial, signs) in assumed {
             let element = Fraction::from(polynomial.clone());
-            let image = self.ring.substitute(&element, substitution).map_err(wrap)?;
+            let image = replacing.image(&element, &mut self.ring).map_err(wrap)?;
             if image == element {
                 continue;
             }

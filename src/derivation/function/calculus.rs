@@ -83,11 +83,22 @@ impl Elaborator {
         differentials: &[Differential],
         span: &Span,
     ) -> Result<(), Diagnostic> {
+        self.add_slopes(&mut needed, differentials, span)?;
+        self.conditions.extend(&needed);
+        Ok(())
+    }
+
+    /// Adds that each root which one of the differentials moves has a slope.
+    fn add_slopes(
+        &mut self,
+        needed: &mut Conditions,
+        differentials: &[Differential],
+        span: &Span,
+    ) -> Result<(), Diagnostic> {
         for differential in differentials {
             let slopes = needed.differentiate(differential, &mut self.ring);
             slopes.map_err(|error| algebra(error, span))?;
         }
-        self.conditions.extend(&needed);
         Ok(())
     }
 
@@ -147,11 +158,9 @@ impl Elaborator {
         small: &[Symbol],
         span: &Span,
     ) -> Result<(), Diagnostic> {
-        for symbol in small {
-            let along = Differential::partial(*symbol, &self.ring);
-            let slopes = needed.differentiate(&along, &mut self.ring);
-            slopes.map_err(|error| algebra(error, span))?;
-        }
+        let along = |symbol: &Symbol| Differential::partial(*symbol, &self.ring);
+        let along: Vec<Differential> = small.iter().map(along).collect();
+        self.add_slopes(&mut needed, &along, span)?;
         let zero = |symbol: &Symbol| (*symbol, self.ring.zero());
         let at_zero = small.iter().map(zero).collect();
         self.require_after(&needed, &at_zero, span)?;

@@ -1,7 +1,7 @@
 //! What a matching leaves, power by power.
 
 use crate::algebra::arithmetic::Arithmetic;
-use crate::algebra::substitution::Substitution;
+use crate::algebra::substitution::{Replacing, Substitution};
 use crate::derivation::diagnostic::Diagnostic;
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::algebra;
@@ -22,8 +22,9 @@ impl Elaborator {
         solution: &Substitution,
     ) -> Result<Vec<Row>, Diagnostic> {
         let mut terms = 0;
+        let mut solution = Replacing::by(solution);
         let rows = (0..=coefficients.degree()).rev();
-        rows.map(|power| self.residual(power, matching, coefficients, solution, &mut terms))
+        rows.map(|power| self.residual(power, matching, coefficients, &mut solution, &mut terms))
             .collect()
     }
 
@@ -32,12 +33,12 @@ impl Elaborator {
         power: u32,
         matching: &Matching,
         coefficients: &Coefficients,
-        solution: &Substitution,
+        solution: &mut Replacing,
         terms: &mut usize,
     ) -> Result<Row, Diagnostic> {
         let wrap = |error| algebra(error, &matching.exact.span);
         let (exact, assumed) = coefficients.at(power);
-        let solved = self.ring.substitute(&assumed, solution).map_err(wrap)?;
+        let solved = solution.image(&assumed, &mut self.ring).map_err(wrap)?;
         let residual = self.ring.difference(&exact, &solved).map_err(wrap)?;
         *terms += residual.numerator().len() + residual.denominator().len();
         check_residuals(*terms, &matching.assumed.span)?;

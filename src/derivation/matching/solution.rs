@@ -163,9 +163,7 @@ fn existence_at(
     let mut existence = Existence::Stays;
     for value in solution {
         // As it is shown: sin α, not (1 − cos²α)/sin α.
-        let above = ring.shorten(value.numerator())?;
-        let below = ring.shorten(value.denominator())?;
-        let value = Fraction::new(above, below, ring.budget())?;
+        let value = ring.shortened(value)?;
         if vanishes_with(ring, value.denominator(), factor)? {
             return Ok(Existence::Lost);
         }
