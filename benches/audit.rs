@@ -1,8 +1,8 @@
 //! The audit of the paper in process: from the text of the document to all verdicts.
 #![allow(missing_docs, clippy::unwrap_used)]
 
-use sextic::derivation::audit::{Audit, audit};
 use sextic::documents::{ShippedLibrary, shipped};
+use sextic::verdict::audit::{Audit, audit};
 
 fn main() {
     divan::main();

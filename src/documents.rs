@@ -1,7 +1,7 @@
 //! The documents that come with the command.
 
-use crate::derivation::audit::Library;
-use crate::derivation::diagnostic::SourceFile;
+use crate::language::diagnostic::SourceFile;
+use crate::verdict::audit::Library;
 
 /// Paths and texts, in the order in which they are audited.
 const SHIPPED: &[(&str, &str)] = &[

@@ -7,7 +7,9 @@ pub mod cli;
 pub mod compile;
 pub mod derivation;
 pub mod documents;
+pub mod language;
 pub mod points;
 pub mod report;
 #[cfg(feature = "stability")]
 pub mod stability;
+pub mod verdict;

@@ -6,6 +6,7 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+pub mod arithmetic;
 pub mod cost;
 pub mod evaluator;
 pub mod horner;

@@ -3,8 +3,8 @@
 
 use libfuzzer_sys::fuzz_target;
 use sextic::compile::generation::{Failure, Order, generate};
-use sextic::derivation::audit::audit;
-use sextic::derivation::diagnostic::SourceFile;
+use sextic::verdict::audit::audit;
+use sextic::language::diagnostic::SourceFile;
 use sextic::documents::ShippedLibrary;
 use sextic_codegen::language::Language;
 

@@ -2,10 +2,10 @@
 
 use clap::Args;
 
-use crate::derivation::audit::Audit;
 use crate::derivation::matching::Matched;
-use crate::derivation::verdict::Claim;
 use crate::report::{json, latex, markdown, text, words};
+use crate::verdict::audit::Audit;
+use crate::verdict::claim::Claim;
 
 use super::Outcome;
 use super::output::{Format, finish, width, wrong};

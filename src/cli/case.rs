@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::derivation::diagnostic::SourceFile;
+use crate::language::diagnostic::SourceFile;
 use crate::stability::case::Case;
 use crate::stability::coefficient_table::CoefficientTable;
 use crate::stability::coefficient_table::remarks::remarks;

@@ -10,10 +10,10 @@ use sextic_codegen::rounding;
 use crate::compile::fixed::Fixed;
 use crate::compile::generation::{Failure, document_of, specifications};
 use crate::compile::specification::Specification;
-use crate::derivation::audit::Audit;
 use crate::derivation::scope::{Meaning, SymbolKind};
 use crate::report::evaluation::Evaluation;
 use crate::report::{json, text};
+use crate::verdict::audit::Audit;
 
 use super::Outcome;
 use super::generate::{FixedParser, differs, mistaken, refused, unknown};

@@ -13,9 +13,9 @@ use crate::compile::fixed::{Fixed, Unfixed};
 use crate::compile::generation::{Failure, Generated, Order, POINTS, document_of, generate};
 use crate::compile::proof::prove_files;
 use crate::compile::specification::Refusal;
-use crate::derivation::audit::Audit;
-use crate::derivation::diagnostic::{nearest, render};
+use crate::language::diagnostic::{nearest, render};
 use crate::report::text;
+use crate::verdict::audit::Audit;
 
 use super::Outcome;
 use super::folder::{self, State, Trouble, Written};

@@ -2,9 +2,9 @@
 
 use clap::Args;
 
-use crate::derivation::audit::Audit;
 use crate::derivation::matching::Matched;
 use crate::report::{json, latex, markdown, text};
+use crate::verdict::audit::Audit;
 
 use super::Outcome;
 use super::output::{Format, complain, finish, width};

@@ -4,12 +4,12 @@ use std::collections::BTreeSet;
 use std::io::ErrorKind;
 use std::path::Path;
 
-use crate::derivation::audit::{Audit, Library, audit_after};
-use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind, SourceFile, render};
-use crate::derivation::document::MAXIMUM_SIZE;
 use crate::documents::{ShippedLibrary, resolve, shipped};
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind, SourceFile, render};
+use crate::language::document::MAXIMUM_SIZE;
 use crate::report::refusals::{MOST, Message, Messages};
 use crate::report::words::counted;
+use crate::verdict::audit::{Audit, Library, audit_after};
 
 use super::Outcome;
 use super::output::{complain, reason, wrong};

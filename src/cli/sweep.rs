@@ -9,7 +9,7 @@ use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
-use crate::derivation::diagnostic::{SourceFile, nearest};
+use crate::language::diagnostic::{SourceFile, nearest};
 use crate::report::csv::{grid_heading, grid_row};
 use crate::stability::axis::Axis;
 use crate::stability::coefficient_table::remarks::remarks;

@@ -7,7 +7,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::generator::Generator;
 use crate::algebra::number::Rational;
 use crate::algebra::ring::Ring;
-use crate::derivation::syntax::Name;
+use crate::language::syntax::Name;
 
 use super::constant::Constant;
 use super::doubt::Reason;

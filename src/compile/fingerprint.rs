@@ -2,7 +2,7 @@
 
 use sha2::{Digest, Sha256};
 
-use crate::derivation::diagnostic::SourceFile;
+use crate::language::diagnostic::SourceFile;
 
 /// The SHA-256 of documents one behind the other, in hexadecimal digits; of a single one it is that of
 /// the file.

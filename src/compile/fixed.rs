@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use crate::algebra::number::{Integer, Rational};
-use crate::derivation::syntax::Name;
+use crate::language::syntax::Name;
 
 /// A quantity and its number: `r = 0.0178`.
 #[derive(Clone, Debug, PartialEq, Eq)]

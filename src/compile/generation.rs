@@ -6,7 +6,7 @@ use sextic_codegen::evaluator::Evaluator as Emitted;
 use sextic_codegen::language::{self, File, Language, Renamed};
 use sextic_codegen::rounding::{self, Domain, Interval, Unmeasured};
 
-use crate::derivation::audit::Audit;
+use crate::verdict::audit::Audit;
 
 use super::doubt::Doubt;
 use super::fixed::{Fixed, written};

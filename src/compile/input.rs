@@ -6,12 +6,12 @@ use crate::algebra::angle::Angle;
 use crate::algebra::generator::Generator;
 use crate::algebra::ring::Ring;
 use crate::algebra::symbol::Symbol;
-use crate::derivation::notation::Notation;
 use crate::derivation::presentation::Presenter;
 use crate::derivation::scope::{Meaning, Scope};
-use crate::derivation::syntax::Name;
-use crate::derivation::unit::Unit;
-use crate::derivation::visit::primed;
+use crate::language::notation::Notation;
+use crate::language::syntax::Name;
+use crate::language::unit::Unit;
+use crate::language::visit::primed;
 
 /// An input of a program.
 #[derive(Clone, Debug, PartialEq, Eq)]

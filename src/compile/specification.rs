@@ -10,11 +10,11 @@ use sextic_codegen::evaluator::{Angle, Evaluator as Emitted, Input as EmittedInp
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::symbol::Symbol;
-use crate::derivation::audit::Audit;
 use crate::derivation::condition::Conditions;
-use crate::derivation::diagnostic::Diagnostic;
-use crate::derivation::evaluator::{Evaluator, Output};
-use crate::derivation::syntax::{Expression, Label, Node, Place};
+use crate::language::diagnostic::Diagnostic;
+use crate::language::evaluator::{Evaluator, Output};
+use crate::language::syntax::{Expression, Label, Node, Place};
+use crate::verdict::audit::Audit;
 
 use super::constant::Constant;
 use super::fingerprint::fingerprint;

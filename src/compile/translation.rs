@@ -11,9 +11,9 @@ use sextic_codegen::program::{Node, Program};
 use crate::algebra::matrix::Matrix;
 use crate::algebra::symbol::Symbol;
 use crate::derivation::elaboration::Elaborator;
-use crate::derivation::evaluator::Evaluator;
 use crate::derivation::scope::Meaning;
-use crate::derivation::syntax::{Expression, Name, Node as Syntax};
+use crate::language::evaluator::Evaluator;
+use crate::language::syntax::{Expression, Name, Node as Syntax};
 
 use super::input::Input;
 use super::polynomial::Polynomial;

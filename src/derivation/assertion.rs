@@ -1,21 +1,21 @@
 //! Assertions, and what the first route tells of them.
 
-pub(super) mod comparison;
+pub(crate) mod comparison;
 
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::error::AlgebraError;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::polynomial::Polynomial;
 
+use super::condition::Condition;
 use super::condition::Conditions;
-use super::diagnostic::{Diagnostic, DiagnosticKind};
 use super::elaboration::Elaborator;
 use super::elaboration::error::{algebra, unexpandable};
 use super::elaboration::limit::check_order;
 use super::quantity::{Value, common_unit};
-use super::syntax::{Comparison, Expectation, Expression, Label, Order, Relation, Span};
-use super::unit::Unit;
-use super::verdict::Condition;
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::syntax::{Comparison, Expectation, Expression, Label, Order, Relation, Span};
+use crate::language::unit::Unit;
 
 /// An assertion as the document makes it.
 #[derive(Clone, Debug)]
@@ -42,18 +42,18 @@ pub struct Finding {
     /// The assertion.
     pub assertion: Assertion,
     /// What the normal forms show.
-    pub(super) outcome: Outcome,
+    pub(crate) outcome: Outcome,
     /// What the steps needed.
-    pub(super) conditions: Vec<Condition>,
+    pub(crate) conditions: Vec<Condition>,
     /// Of an approximation, the leading term of left − right.
-    pub(super) residual: Option<Expression>,
+    pub(crate) residual: Option<Expression>,
     /// The normal forms of both sides; nothing where they cannot be compared.
-    pub(super) sides: Option<(Value, Value)>,
+    pub(crate) sides: Option<(Value, Value)>,
 }
 
 /// What the normal forms of both sides show.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Outcome {
+pub(crate) enum Outcome {
     /// Units or shapes do not match.
     IllFormed(String),
     /// The normal forms agree, or the inequality follows from the assumptions.
@@ -68,7 +68,7 @@ pub(super) enum Outcome {
 
 impl Outcome {
     /// The degree at which an approximation is found to be false.
-    pub(super) const fn degree(&self) -> Option<u32> {
+    pub(crate) const fn degree(&self) -> Option<u32> {
         match self {
             Outcome::Different(degree) => *degree,
             _ => None,
@@ -157,7 +157,7 @@ impl Elaborator {
     }
 
     /// Sees that values are real: complex numbers have no order.
-    pub(super) fn require_real(&self, sides: [(&Value, &Expression); 2]) -> Result<(), Diagnostic> {
+    pub(crate) fn require_real(&self, sides: [(&Value, &Expression); 2]) -> Result<(), Diagnostic> {
         for (value, expression) in sides {
             let entries = value.entries().iter();
             if !entries

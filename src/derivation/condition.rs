@@ -9,6 +9,7 @@ use crate::algebra::number::Rational;
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::ring::Ring;
 use crate::algebra::substitution::{Replacing, Substitution};
+use crate::language::syntax::Expression;
 
 /// What a polynomial must be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -17,6 +18,15 @@ pub enum Requirement {
     NonZero,
     /// > 0
     Positive,
+}
+
+/// A condition as a person reads it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Condition {
+    /// The expression.
+    pub expression: Expression,
+    /// What it must be.
+    pub requirement: Requirement,
 }
 
 /// What a step of a computation did with a polynomial.

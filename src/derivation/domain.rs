@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use crate::algebra::number::Rational;
 use crate::algebra::symbol::Symbol;
 
-use super::diagnostic::{Diagnostic, DiagnosticKind};
 use super::elaboration::Elaborator;
-use super::syntax::{Expression, Replacement};
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::syntax::{Expression, Replacement};
 
 /// The numbers from the first to the last, in the SI unit of what they are numbers of.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,7 +37,7 @@ impl Domain {
     ///
     /// A [`Diagnostic`] where a quantity is not free, has an interval already or none that is one, or
     /// where the document's own assumptions exclude an end of it.
-    pub(super) fn extend(
+    pub(crate) fn extend(
         &mut self,
         stated: &[Replacement],
         elaborator: &mut Elaborator,

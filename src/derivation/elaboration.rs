@@ -2,9 +2,9 @@
 
 mod call;
 mod complex;
-pub(super) mod error;
-pub(super) mod limit;
-pub(super) mod matrix;
+pub(crate) mod error;
+pub(crate) mod limit;
+pub(crate) mod matrix;
 mod operation;
 mod substitution;
 
@@ -20,12 +20,12 @@ use crate::algebra::ring::Ring;
 use crate::algebra::symbol::Symbol;
 
 use super::condition::Conditions;
-use super::diagnostic::{Diagnostic, DiagnosticKind};
 use super::presentation::Presenter;
 use super::quantity::{Quantities, Quantity, Value, common_unit};
 use super::scope::{Meaning, Scope};
-use super::syntax::{Expression, Name, Node, Span, Spanned};
-use super::unit::{Unit, small_integer};
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::syntax::{Expression, Name, Node, Span, Spanned};
+use crate::language::unit::{Unit, small_integer};
 
 use error::{algebra, different, quantity as quantity_error, shape};
 use limit::{MOST_PARTS, MOST_ROWS, check_nesting, check_terms};
@@ -178,7 +178,7 @@ impl Elaborator {
     }
 
     /// The symbol of a variable that is given by name.
-    pub(super) fn variable(&mut self, name: &Spanned<Name>) -> Result<Symbol, Diagnostic> {
+    pub(crate) fn variable(&mut self, name: &Spanned<Name>) -> Result<Symbol, Diagnostic> {
         let expression = Expression {
             node: Node::Name(name.value.clone()),
             span: name.span.clone(),
@@ -188,14 +188,14 @@ impl Elaborator {
     }
 
     /// The symbols of variables that are given by name, each of them once.
-    pub(super) fn variables(&mut self, names: &[Spanned<Name>]) -> Result<Vec<Symbol>, Diagnostic> {
+    pub(crate) fn variables(&mut self, names: &[Spanned<Name>]) -> Result<Vec<Symbol>, Diagnostic> {
         let written = |name: &Spanned<Name>| (name.value.to_string(), name.span.clone());
         different(&names.iter().map(written).collect::<Vec<_>>())?;
         names.iter().map(|name| self.variable(name)).collect()
     }
 
     /// The number that an expression is, if it is one; it has no unit.
-    pub(super) fn number(
+    pub(crate) fn number(
         &mut self,
         expression: &Expression,
     ) -> Result<Option<Rational>, Diagnostic> {
@@ -269,7 +269,7 @@ impl Elaborator {
     }
 
     /// What writes the elements of the ring with the names of the document.
-    pub(super) fn presenter(&self) -> Presenter<'_> {
+    pub(crate) fn presenter(&self) -> Presenter<'_> {
         Presenter {
             ring: &self.ring,
             scope: &self.scope,
@@ -277,13 +277,13 @@ impl Elaborator {
     }
 
     /// Pays for a value that is kept until the document ends.
-    pub(super) fn keep(&self, value: &Value, span: &Span) -> Result<(), Diagnostic> {
+    pub(crate) fn keep(&self, value: &Value, span: &Span) -> Result<(), Diagnostic> {
         let mut entries = value.entries().iter();
         entries.try_for_each(|entry| self.pay(&entry.value, STEPS_FOR_A_KEPT_TERM, span))
     }
 
     /// A polynomial as an expression, which is kept until the document ends.
-    pub(super) fn present_polynomial(
+    pub(crate) fn present_polynomial(
         &self,
         polynomial: &Polynomial,
         span: &Span,
@@ -300,7 +300,7 @@ impl Elaborator {
     }
 
     /// An element as an expression, which is kept until the document ends.
-    pub(super) fn present(
+    pub(crate) fn present(
         &self,
         element: &Fraction,
         span: &Span,

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::scope::{Meaning, Scope};
-use super::syntax::{Expression, Name, Node, Place};
+use crate::language::syntax::{Expression, Name, Node, Place};
 
 /// The definitions that expressions rest on, left and right of `:=`, each before those that use it.
 pub struct Foundation<'a> {

@@ -13,11 +13,11 @@ use crate::algebra::number::Rational;
 use crate::algebra::substitution::Substitution;
 use crate::algebra::symbol::Symbol;
 
-use super::diagnostic::{Diagnostic, DiagnosticKind};
 use super::elaboration::Elaborator;
 use super::elaboration::error::{algebra, different, units};
 use super::foundation::Foundation;
-use super::syntax::{Expression, Label, Matching, Name, Spanned};
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::syntax::{Expression, Label, Matching, Name, Spanned};
 
 /// What a matching found.
 #[derive(Clone, Debug)]

@@ -10,7 +10,7 @@ use crate::algebra::ring::Ring;
 use crate::algebra::symbol::Symbol;
 
 use super::scope::{Meaning, Scope, SymbolKind};
-use super::syntax::{BinaryOperator, Expression, Name, Node};
+use crate::language::syntax::{BinaryOperator, Expression, Name, Node};
 
 /// Longer polynomials are not taken apart into factors.
 const MOST_TERMS_TO_FACTOR: usize = 400;

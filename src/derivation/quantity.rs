@@ -7,7 +7,7 @@ use crate::algebra::matrix::Matrix;
 use crate::algebra::number::Rational;
 use crate::algebra::ring::Ring;
 
-use super::unit::Unit;
+use crate::language::unit::Unit;
 
 /// An element of the ring and its unit.
 #[derive(Clone, Debug, PartialEq)]

@@ -6,11 +6,11 @@ use std::sync::Arc;
 use crate::algebra::symbol::Symbol;
 
 use super::condition::Conditions;
-use super::diagnostic::{Diagnostic, DiagnosticKind, nearest};
-use super::name::skeleton::skeleton;
 use super::quantity::{Quantity, Value};
-use super::syntax::{Expression, Name, Replacement, Span, Spanned};
-use super::unit::Unit;
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind, nearest};
+use crate::language::name::skeleton::skeleton;
+use crate::language::syntax::{Expression, Name, Replacement, Span, Spanned};
+use crate::language::unit::Unit;
 
 /// What a name means.
 #[derive(Clone, Debug)]
@@ -124,7 +124,7 @@ impl Scope {
                 .with_label("declared again")
                 .with_help("choose another name: a name means one thing in a document")
         };
-        if super::function::NAMES.contains(&name.value.ascii.as_str()) {
+        if crate::language::built_in::NAMES.contains(&name.value.ascii.as_str()) {
             let message = format!("`{}` is the name of a built-in function", name.value);
             return Err(duplicate(message).with_label("taken"));
         }
@@ -224,7 +224,7 @@ impl Scope {
                 .entries
                 .values()
                 .flat_map(|entry| [entry.name.ascii.as_str(), entry.name.unicode.as_str()]);
-            let candidates = known.chain(super::function::NAMES);
+            let candidates = known.chain(crate::language::built_in::NAMES);
             let look = skeleton(&name.unicode);
             let mut entries = self.entries.values();
             let alike = entries.find(|entry| skeleton(&entry.name.unicode) == look);

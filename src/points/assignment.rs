@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::algebra::number::Rational;
 use crate::algebra::sign::Signs;
-use crate::derivation::visit::primed;
+use crate::language::visit::primed;
 
 use super::enclosure::{Enclosure, circle_point};
 use super::formal::mix;

@@ -1,7 +1,7 @@
 //! Nodes of a graph as a person reads them.
 
-use crate::derivation::notation::Notation;
-use crate::derivation::syntax::{BinaryOperator, Expression, Name};
+use crate::language::notation::Notation;
+use crate::language::syntax::{BinaryOperator, Expression, Name};
 
 use super::graph::{Graph, Node, NodeId};
 

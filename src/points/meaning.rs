@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::algebra::sign::Signs;
-use crate::derivation::syntax::{Expression, Name, Replacement};
+use crate::language::syntax::{Expression, Name, Replacement};
 
 use super::graph::Kind;
 

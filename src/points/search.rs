@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use crate::algebra::sign::Signs;
-use crate::derivation::syntax::Comparison;
+use crate::language::syntax::Comparison;
 
 use super::assignment::{Assignment, Draw, Size};
 use super::evaluation::Evaluation;

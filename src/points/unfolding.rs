@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use crate::algebra::number::Rational;
 use crate::algebra::sign::Signs;
-use crate::derivation::syntax::{Expression, Name, Node as Written};
+use crate::language::syntax::{Expression, Name, Node as Written};
 
 use super::derivative::By;
 use super::graph::{FunctionId, Kind, Made, Node, NodeId, Variable};

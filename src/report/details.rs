@@ -1,8 +1,8 @@
 //! What stands below a verdict: its conditions, what it neglects, where it fails, and why.
 
-use crate::derivation::notation::Notation;
-use crate::derivation::syntax::Comparison;
-use crate::derivation::verdict::{Claim, Verdict, Witness};
+use crate::language::notation::Notation;
+use crate::language::syntax::Comparison;
+use crate::verdict::claim::{Claim, Verdict, Witness};
 
 use super::phrase::Phrase;
 use super::words;

@@ -15,10 +15,10 @@ mod statement;
 use serde::Serialize;
 use tera::{Context, Tera};
 
-use crate::derivation::audit::Audit;
-use crate::derivation::diagnostic::SourceFile;
+use crate::language::diagnostic::SourceFile;
 use crate::stability::comparison::Comparison;
 use crate::stability::validity::Validity;
+use crate::verdict::audit::Audit;
 
 use super::gallery::Named;
 use super::speeds::SpeedsFound;

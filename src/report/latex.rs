@@ -2,11 +2,11 @@
 
 mod escape;
 
-use crate::derivation::audit::Audit;
 use crate::derivation::matching::{Matched, Row};
-use crate::derivation::notation::Notation;
-use crate::derivation::syntax::Expression;
-use crate::derivation::verdict::{Claim, Verdict};
+use crate::language::notation::Notation;
+use crate::language::syntax::Expression;
+use crate::verdict::audit::Audit;
+use crate::verdict::claim::{Claim, Verdict};
 
 use super::details::{Extent, details};
 use super::phrase::Phrase;

@@ -2,11 +2,11 @@
 
 use std::fmt::Display;
 
-use crate::derivation::audit::Audit;
 use crate::derivation::matching::{Matched, Row};
-use crate::derivation::notation::Notation;
-use crate::derivation::syntax::Expression;
-use crate::derivation::verdict::Claim;
+use crate::language::notation::Notation;
+use crate::language::syntax::Expression;
+use crate::verdict::audit::Audit;
+use crate::verdict::claim::Claim;
 
 use super::details::{Detail, Extent, details};
 use super::phrase::Phrase;

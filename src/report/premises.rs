@@ -1,8 +1,8 @@
 //! What all verdicts on a document stand under: declared signs, assumptions, and what is imported.
 
-use crate::derivation::audit::{Assumption, Audit, Declaration};
-use crate::derivation::notation::Notation;
-use crate::derivation::syntax::{Name, Sign};
+use crate::language::notation::Notation;
+use crate::language::syntax::{Name, Sign};
+use crate::verdict::audit::{Assumption, Audit, Declaration};
 
 use super::phrase::Phrase;
 use super::words;

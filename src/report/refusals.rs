@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::derivation::audit::{Audit, Mistake};
-use crate::derivation::diagnostic::{Diagnostic, SourceFile};
+use crate::language::diagnostic::{Diagnostic, SourceFile};
+use crate::verdict::audit::{Audit, Mistake};
 
 /// How many mistakes are told, and how many statements that build on them; more help nobody.
 pub const MOST: usize = 50;

@@ -1,7 +1,7 @@
 //! What matchings leave, in a line each; `sextic match` shows the rest.
 
 use crate::derivation::matching::{Matched, Row};
-use crate::derivation::notation::Notation;
+use crate::language::notation::Notation;
 
 use super::phrase::Phrase;
 use super::words;

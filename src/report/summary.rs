@@ -1,9 +1,9 @@
 //! A document's verdicts at a glance.
 
-use crate::derivation::audit::{Audit, Mistake};
-use crate::derivation::diagnostic::DiagnosticKind;
 use crate::derivation::matching::Matched;
-use crate::derivation::verdict::{Claim, Verdict};
+use crate::language::diagnostic::DiagnosticKind;
+use crate::verdict::audit::{Audit, Mistake};
+use crate::verdict::claim::{Claim, Verdict};
 
 use super::words;
 

@@ -1,11 +1,12 @@
 //! The names that verdicts, expectations and places go by in every view.
 
 use crate::algebra::number::Rational;
+use crate::derivation::condition::Condition;
 use crate::derivation::condition::Requirement;
 use crate::derivation::matching::{Existence, Matched, Row, Singularity};
-use crate::derivation::notation::Notation;
-use crate::derivation::syntax::{BinaryOperator, Expectation, Expression, Label, Node, Sign};
-use crate::derivation::verdict::{Claim, Condition, Coordinate, Verdict};
+use crate::language::notation::Notation;
+use crate::language::syntax::{BinaryOperator, Expectation, Expression, Label, Node, Sign};
+use crate::verdict::claim::{Claim, Coordinate, Verdict};
 
 use super::phrase::Phrase;
 

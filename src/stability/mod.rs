@@ -36,6 +36,7 @@ mod shape;
 mod speed_search;
 pub mod spline;
 pub mod state_matrix;
+pub mod system;
 pub mod tracking;
 pub mod uniform_form;
 pub mod validity;

@@ -8,9 +8,9 @@ mod proof;
 mod translation;
 
 use sextic::compile::specification::Specification;
-use sextic::derivation::audit::{Audit, audit};
-use sextic::derivation::diagnostic::SourceFile;
 use sextic::documents::{ShippedLibrary, shipped};
+use sextic::language::diagnostic::SourceFile;
+use sextic::verdict::audit::{Audit, audit};
 use sextic_codegen::language::{File, Language, emit};
 
 /// The documents that come with the command.

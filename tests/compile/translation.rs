@@ -1,9 +1,9 @@
 //! Documents whose evaluators are translated, or refused.
 
 use sextic::compile::specification::{Refusal, Specification};
-use sextic::derivation::audit::audit;
-use sextic::derivation::diagnostic::SourceFile;
 use sextic::documents::ShippedLibrary;
+use sextic::language::diagnostic::SourceFile;
+use sextic::verdict::audit::audit;
 use sextic_codegen::rounding::evaluate;
 
 /// The last evaluator of a document with these statements.

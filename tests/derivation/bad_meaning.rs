@@ -1,6 +1,6 @@
 //! Every mistake in `tests/data/bad/meaning` has a message that a person can act on.
 
-use sextic::derivation::diagnostic::SourceFile;
+use sextic::language::diagnostic::SourceFile;
 
 use super::{Folder, audit_in, data};
 

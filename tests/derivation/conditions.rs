@@ -1,6 +1,6 @@
 //! What is not known becomes a condition, and each condition is listed once.
 
-use sextic::derivation::notation::Notation;
+use sextic::language::notation::Notation;
 
 use super::{audit_text, block};
 

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use proptest::prelude::*;
 use sextic::algebra::number::Rational;
-use sextic::derivation::expression_parser::parse_expression;
-use sextic::derivation::notation::Notation;
-use sextic::derivation::syntax::{BinaryOperator, Expression, Node};
-use sextic::derivation::verdict::{Coordinate, Verdict};
+use sextic::language::expression_parser::parse_expression;
+use sextic::language::notation::Notation;
+use sextic::language::syntax::{BinaryOperator, Expression, Node};
+use sextic::verdict::claim::{Coordinate, Verdict};
 
 use super::{audit_text, block};
 

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 use sextic::algebra::number::{Integer, Rational};
 use sextic::derivation::matching::{Existence, Matched};
-use sextic::derivation::syntax::{BinaryOperator, Expression, Node};
+use sextic::language::syntax::{BinaryOperator, Expression, Node};
 
 use super::{audit_text, block};
 

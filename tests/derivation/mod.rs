@@ -12,8 +12,8 @@ mod verdicts;
 
 use std::path::{Component, Path, PathBuf};
 
-use sextic::derivation::audit::{Audit, Library, Mistake, audit};
-use sextic::derivation::diagnostic::{SourceFile, render};
+use sextic::language::diagnostic::{SourceFile, render};
+use sextic::verdict::audit::{Audit, Library, Mistake, audit};
 
 /// Documents in a folder; paths are relative to it.
 pub struct Folder(pub PathBuf);

@@ -3,11 +3,11 @@
 //! Every claimed equation is changed in one place: a sign, an exponent, a factor, a name, a function.
 //! The changed claims are audited within the document, right behind the original.
 
-use sextic::derivation::audit::audit;
-use sextic::derivation::diagnostic::SourceFile;
-use sextic::derivation::document::parse_document;
-use sextic::derivation::syntax::{Comparison, Expectation, Span, StatementKind};
-use sextic::derivation::verdict::Verdict;
+use sextic::language::diagnostic::SourceFile;
+use sextic::language::document::parse_document;
+use sextic::language::syntax::{Comparison, Expectation, Span, StatementKind};
+use sextic::verdict::audit::audit;
+use sextic::verdict::claim::Verdict;
 
 use super::Folder;
 

@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use sextic::derivation::audit::{Audit, audit};
-use sextic::derivation::diagnostic::SourceFile;
-use sextic::derivation::notation::Notation;
-use sextic::derivation::verdict::{Claim, Verdict};
+use sextic::language::diagnostic::SourceFile;
+use sextic::language::notation::Notation;
 use sextic::report::premises;
+use sextic::verdict::audit::{Audit, audit};
+use sextic::verdict::claim::{Claim, Verdict};
 
 use super::{Folder, block, data};
 
@@ -149,7 +149,7 @@ fn what_is_refused_in_an_import_is_refused_in_an_earlier_audit_too() {
     };
     let earlier = audit(&read("parts/library.md"), &folder).expect("a library");
     let (source, earlier) = (read("imports.md"), [earlier]);
-    let after = sextic::derivation::audit::audit_after(&earlier, &source, &folder);
+    let after = sextic::verdict::audit::audit_after(&earlier, &source, &folder);
     let alone = audit(&source, &folder).expect("a document");
     assert_eq!(lines(&after.expect("a document")), lines(&alone));
 }

@@ -10,18 +10,18 @@ use sextic::algebra::budget::Budget;
 use sextic::algebra::generator::Generator;
 use sextic::algebra::sign::Signs;
 use sextic::derivation::assertion::{Assertion, Finding};
-use sextic::derivation::diagnostic::{DiagnosticKind, SourceFile};
-use sextic::derivation::document::parse_document;
 use sextic::derivation::elaboration::Elaborator;
-use sextic::derivation::expression_parser::parse_expression;
-use sextic::derivation::judge::Judge;
-use sextic::derivation::judge::matching::MatchingCheck;
 use sextic::derivation::matching::Matched;
 use sextic::derivation::scope::{Meaning, SymbolKind};
-use sextic::derivation::syntax::{Name, Spanned, StatementKind};
-use sextic::derivation::unit::Unit;
-use sextic::derivation::verdict::{Claim, Verdict};
+use sextic::language::diagnostic::{DiagnosticKind, SourceFile};
+use sextic::language::document::parse_document;
+use sextic::language::expression_parser::parse_expression;
+use sextic::language::syntax::{Name, Spanned, StatementKind};
+use sextic::language::unit::Unit;
 use sextic::points::Salt;
+use sextic::verdict::claim::{Claim, Verdict};
+use sextic::verdict::judge::Judge;
+use sextic::verdict::judge::matching::MatchingCheck;
 
 use super::block;
 

@@ -2,10 +2,10 @@
 //! `ill-formed` as everywhere, and `undecided` where the label begins so.
 
 use sextic::derivation::condition::Requirement;
-use sextic::derivation::diagnostic::SourceFile;
-use sextic::derivation::notation::Notation;
-use sextic::derivation::verdict::{Claim, Verdict};
+use sextic::language::diagnostic::SourceFile;
+use sextic::language::notation::Notation;
 use sextic::report::words;
+use sextic::verdict::claim::{Claim, Verdict};
 
 use super::{Folder, audit_in, data};
 

@@ -10,11 +10,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use sextic::derivation::diagnostic::SourceFile;
-use sextic::derivation::document::parse_document;
-use sextic::derivation::expression_parser::parse_expression;
-use sextic::derivation::function::NAMES;
-use sextic::derivation::syntax::{Expectation, StatementKind};
+use sextic::language::built_in::NAMES;
+use sextic::language::diagnostic::SourceFile;
+use sextic::language::document::parse_document;
+use sextic::language::expression_parser::parse_expression;
+use sextic::language::syntax::{Expectation, StatementKind};
 
 use super::derivation::{Folder, audit_in, block};
 use page::{Page, read, root};

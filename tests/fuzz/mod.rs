@@ -9,9 +9,9 @@ use std::path::Path;
 
 use sextic::compile::generation::{Failure, Order, generate};
 use sextic::compile::reading::read;
-use sextic::derivation::audit::audit;
-use sextic::derivation::diagnostic::SourceFile;
 use sextic::documents::ShippedLibrary;
+use sextic::language::diagnostic::SourceFile;
+use sextic::verdict::audit::audit;
 use sextic_codegen::evaluator::Evaluator;
 use sextic_codegen::language::{File, Language, emit};
 use sextic_codegen::program::{Operation, Program};

@@ -4,13 +4,13 @@
 use std::fmt::Write;
 
 use insta::Settings;
-use sextic::derivation::audit::{Audit, audit, audit_after};
-use sextic::derivation::notation::Notation;
-use sextic::derivation::verdict::{Claim, Verdict};
 use sextic::documents::{ShippedLibrary, shipped};
+use sextic::language::notation::Notation;
 use sextic::report::details::neglected;
 use sextic::report::refusals::Messages;
 use sextic::report::{json, words};
+use sextic::verdict::audit::{Audit, audit, audit_after};
+use sextic::verdict::claim::{Claim, Verdict};
 
 fn audits() -> Vec<Audit> {
     let read = shipped().map(|source| audit(&source, &ShippedLibrary));

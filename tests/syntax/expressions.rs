@@ -2,9 +2,9 @@
 
 use proptest::prelude::*;
 use sextic::algebra::number::Rational;
-use sextic::derivation::expression_parser::parse_expression;
-use sextic::derivation::notation::Notation;
-use sextic::derivation::syntax::{
+use sextic::language::expression_parser::parse_expression;
+use sextic::language::notation::Notation;
+use sextic::language::syntax::{
     BinaryOperator, Comparison, Expression, Name, Node, Place, Relation, Replacement,
 };
 

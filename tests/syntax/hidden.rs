@@ -2,8 +2,8 @@
 
 use proptest::prelude::*;
 use proptest::sample::select;
-use sextic::derivation::diagnostic::{SourceFile, render};
-use sextic::derivation::document::{Document, parse_document};
+use sextic::language::diagnostic::{SourceFile, render};
+use sextic::language::document::{Document, parse_document};
 
 /// A document that is well, in prose, names, strings, comments and labels.
 const WELL: &str = "# Größe\n\nProse of *a* paper, `code`.\n\n```sextic\nparameter a : 1 > 0 \"words\"\n\

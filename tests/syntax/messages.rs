@@ -1,7 +1,7 @@
 //! Every mistake in `tests/data/bad/syntax` has a message that a person can act on.
 
-use sextic::derivation::diagnostic::{SourceFile, render};
-use sextic::derivation::document::parse_document;
+use sextic::language::diagnostic::{SourceFile, render};
+use sextic::language::document::parse_document;
 
 /// What is printed for a document.
 fn messages(path: &str, bytes: &[u8]) -> String {

@@ -1,10 +1,10 @@
 //! No text can make the parser panic, overflow its stack or hang.
 
 use proptest::prelude::*;
-use sextic::derivation::diagnostic::{SourceFile, render};
-use sextic::derivation::document::parse_document;
-use sextic::derivation::expression_parser::parse_expression;
-use sextic::derivation::notation::Notation;
+use sextic::language::diagnostic::{SourceFile, render};
+use sextic::language::document::parse_document;
+use sextic::language::expression_parser::parse_expression;
+use sextic::language::notation::Notation;
 
 /// What the language is made of, and what people paste into it.
 #[rustfmt::skip]

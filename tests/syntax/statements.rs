@@ -1,10 +1,10 @@
 //! What each form of statement says, and where statements and blocks begin and end.
 
-use sextic::derivation::diagnostic::SourceFile;
-use sextic::derivation::document::{Document, parse_document, parse_document_with};
-use sextic::derivation::markdown::blocks;
-use sextic::derivation::notation::Notation;
-use sextic::derivation::syntax::{
+use sextic::language::diagnostic::SourceFile;
+use sextic::language::document::{Document, parse_document, parse_document_with};
+use sextic::language::markdown::blocks;
+use sextic::language::notation::Notation;
+use sextic::language::syntax::{
     EvaluatorBody, Expression, Label, Name, Replacement, Spanned, Statement, StatementKind,
 };
 

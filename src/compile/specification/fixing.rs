@@ -6,9 +6,9 @@ use crate::algebra::number::Rational;
 use crate::compile::circle::{Enclosure, cosine, sine};
 use crate::compile::constant::Constant;
 use crate::compile::fixed::Fixed;
-use crate::derivation::audit::Audit;
 use crate::derivation::presentation::Presenter;
-use crate::derivation::syntax::{Expression, Name, Replacement};
+use crate::language::syntax::{Expression, Name, Replacement};
+use crate::verdict::audit::Audit;
 
 use super::{Refusal, Specification};
 

@@ -1,10 +1,10 @@
 //! What an evaluator computes, as its document writes it.
 
-use crate::derivation::evaluator::Evaluator;
 use crate::derivation::foundation::nearest;
-use crate::derivation::notation::Notation;
 use crate::derivation::scope::Scope;
-use crate::derivation::syntax::Expression;
+use crate::language::evaluator::Evaluator;
+use crate::language::notation::Notation;
+use crate::language::syntax::Expression;
 
 /// A reader of more than this is better off with the document.
 const MOST_DEFINITIONS: usize = 20;

@@ -10,13 +10,13 @@ use crate::algebra::sign::Signs;
 use crate::algebra::substitution::Replacing;
 use crate::algebra::symbol::Symbol;
 use crate::compile::input::Input;
-use crate::derivation::audit::Audit;
+use crate::derivation::condition::Condition;
 use crate::derivation::condition::Requirement as Demand;
 use crate::derivation::elaboration::Elaborator;
-use crate::derivation::notation::Notation;
 use crate::derivation::presentation::Presenter;
-use crate::derivation::syntax::{Comparison, Relation, Replacement};
-use crate::derivation::verdict::Condition;
+use crate::language::notation::Notation;
+use crate::language::syntax::{Comparison, Relation, Replacement};
+use crate::verdict::audit::Audit;
 
 use super::{Refusal, Specification};
 

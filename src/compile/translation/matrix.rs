@@ -8,7 +8,7 @@ use sextic_codegen::program::{Operation, Program};
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::determinant::determinant;
 use crate::algebra::matrix::Matrix;
-use crate::derivation::syntax::Expression;
+use crate::language::syntax::Expression;
 
 use super::{Context, Obstacle, Polynomial, Table, Translator, divisor, scalar};
 

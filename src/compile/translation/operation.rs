@@ -3,7 +3,7 @@
 use sextic_codegen::program::Operation;
 
 use crate::algebra::number::Rational;
-use crate::derivation::syntax::{BinaryOperator, Expression};
+use crate::language::syntax::{BinaryOperator, Expression};
 
 use super::{Context, Obstacle, Polynomial, Table, Translator, divisor, scalar};
 

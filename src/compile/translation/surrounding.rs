@@ -9,7 +9,7 @@ use crate::algebra::symbol::Symbol;
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::presentation::Presenter;
 use crate::derivation::scope::Meaning;
-use crate::derivation::syntax::{Expression, Node as Syntax, Place, Replacement};
+use crate::language::syntax::{Expression, Node as Syntax, Place, Replacement};
 
 use super::{Obstacle, Table, Translator, scalar};
 

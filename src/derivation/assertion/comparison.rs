@@ -2,10 +2,10 @@
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::sign::Signs;
-use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::{algebra, expansion};
-use crate::derivation::syntax::{Comparison, Order, Relation, Span};
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::syntax::{Comparison, Order, Relation, Span};
 
 use super::Outcome;
 

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use crate::algebra::error::AlgebraError;
 use crate::algebra::number::Rational;
-use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::quantity::{Quantity, Value, common_unit};
 use crate::derivation::scope::Meaning;
-use crate::derivation::syntax::{Expression, Name, Span};
-use crate::derivation::unit::Unit;
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::syntax::{Expression, Name, Span};
+use crate::language::unit::Unit;
 
 use super::error::{algebra, argument_count};
 use super::limit::check_calls;

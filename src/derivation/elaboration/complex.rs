@@ -9,10 +9,10 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::generator::Generator;
 use crate::algebra::symbol::Symbol;
 use crate::derivation::condition::Conditions;
-use crate::derivation::diagnostic::Diagnostic;
 use crate::derivation::quantity::Value;
 use crate::derivation::scope::Entry;
-use crate::derivation::syntax::{Expression, Name, Span};
+use crate::language::diagnostic::Diagnostic;
+use crate::language::syntax::{Expression, Name, Span};
 
 use super::Elaborator;
 use super::error::algebra;

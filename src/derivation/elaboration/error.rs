@@ -1,10 +1,10 @@
 //! Why an expression is no element of the ring, for the reader of the document.
 
 use crate::algebra::error::AlgebraError;
-use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::quantity::{QuantityError, Value};
-use crate::derivation::syntax::{Expression, Name, Span};
-use crate::derivation::unit::Unit;
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::syntax::{Expression, Name, Span};
+use crate::language::unit::Unit;
 
 /// What the algebra could not do, at a place of the document.
 pub fn algebra(error: AlgebraError, span: &Span) -> Diagnostic {

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::quantity::{Quantity, Value};
-use crate::derivation::syntax::{Name, Span};
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::syntax::{Name, Span};
 
 /// The largest side of a matrix.
 pub const MOST_ROWS: usize = 64;

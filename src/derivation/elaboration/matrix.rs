@@ -6,10 +6,10 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::linear_system::{Solution, solve};
 use crate::algebra::matrix::Matrix;
 use crate::algebra::number::Rational;
-use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::quantity::{Quantities, Quantity, Value};
-use crate::derivation::syntax::{Expression, Span};
-use crate::derivation::unit::Unit;
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::syntax::{Expression, Span};
+use crate::language::unit::Unit;
 
 use super::Elaborator;
 use super::error::{algebra, quantity, shape};

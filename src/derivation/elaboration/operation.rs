@@ -3,10 +3,10 @@
 use crate::algebra::arithmetic::{Arithmetic, Division};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::number::Rational;
-use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::quantity::{Quantities, Quantity, Value};
-use crate::derivation::syntax::{BinaryOperator, Expression, Span};
-use crate::derivation::unit::{Unit, small_integer};
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::syntax::{BinaryOperator, Expression, Span};
+use crate::language::unit::{Unit, small_integer};
 
 use super::Elaborator;
 use super::error::{algebra, mismatch, quantity, sides};

@@ -10,12 +10,12 @@ use crate::algebra::sign::Signs;
 use crate::algebra::substitution::{Replacing, Substitution};
 use crate::algebra::symbol::Symbol;
 use crate::derivation::condition::Conditions;
-use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind, nearest};
-use crate::derivation::notation::Notation;
 use crate::derivation::quantity::{Quantity, QuantityError, Value, common_unit};
 use crate::derivation::scope::{Entry, Meaning, Scope};
-use crate::derivation::syntax::{Expression, Name, Place, Replacement, Span};
-use crate::derivation::unit::Unit;
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind, nearest};
+use crate::language::notation::Notation;
+use crate::language::syntax::{Expression, Name, Place, Replacement, Span};
+use crate::language::unit::Unit;
 
 use super::Elaborator;
 use super::error::{algebra, quantity as quantity_error};
@@ -104,7 +104,7 @@ impl Elaborator {
     }
 
     /// A value and the conditions that it needs; those noted before stay as they are.
-    pub(in crate::derivation) fn value_and_conditions(
+    pub(crate) fn value_and_conditions(
         &mut self,
         expression: &Expression,
     ) -> Result<(Value, Conditions), Diagnostic> {
@@ -114,7 +114,7 @@ impl Elaborator {
     }
 
     /// Notes what conditions become by a substitution.
-    pub(in crate::derivation) fn require_after(
+    pub(crate) fn require_after(
         &mut self,
         needed: &Conditions,
         substitution: &Substitution,
@@ -280,7 +280,7 @@ impl Elaborator {
 
     /// Sees that what is assumed of symbols remains true, as far as wanted, of what replaces them: roots
     /// and signs were found with it.
-    pub(in crate::derivation) fn respect_assumptions(
+    pub(crate) fn respect_assumptions(
         &mut self,
         substitution: &Substitution,
         wanted: fn(Signs) -> Signs,

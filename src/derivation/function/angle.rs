@@ -3,13 +3,13 @@
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::error::AlgebraError;
 use crate::algebra::fraction::Fraction;
-use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::{algebra, quantity, units};
-use crate::derivation::notation::Notation;
 use crate::derivation::quantity::{Quantities, Quantity, Value};
-use crate::derivation::syntax::{Expression, Span};
-use crate::derivation::unit::Unit;
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::notation::Notation;
+use crate::language::syntax::{Expression, Span};
+use crate::language::unit::Unit;
 
 impl Elaborator {
     /// The sine, cosine, tangent or cotangent of an angle.

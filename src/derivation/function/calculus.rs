@@ -6,14 +6,14 @@ use crate::algebra::matrix::Matrix;
 use crate::algebra::sign::Signs;
 use crate::algebra::symbol::Symbol;
 use crate::derivation::condition::Conditions;
-use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::{algebra, expansion, shape, unexpandable};
 use crate::derivation::elaboration::limit::check_order;
-use crate::derivation::notation::Notation;
 use crate::derivation::quantity::{Quantity, Value};
-use crate::derivation::syntax::{Expression, Span};
-use crate::derivation::unit::Unit;
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::notation::Notation;
+use crate::language::syntax::{Expression, Span};
+use crate::language::unit::Unit;
 
 impl Elaborator {
     /// d/dt, entry by entry.
@@ -152,7 +152,7 @@ impl Elaborator {
 
     /// Notes what an expansion in small quantities rests on: where they vanish, nothing that was divided
     /// by and no radicand that they move may be 0, and what is assumed of signs may at most become 0.
-    pub(in crate::derivation) fn require_expansion(
+    pub(crate) fn require_expansion(
         &mut self,
         mut needed: Conditions,
         small: &[Symbol],

@@ -4,12 +4,12 @@ use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::linear_system::null_space;
 use crate::algebra::matrix::Matrix;
 use crate::algebra::number::Rational;
-use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::{quantity, shape};
 use crate::derivation::elaboration::limit::check_sides;
 use crate::derivation::quantity::{Quantities, Quantity, Value};
-use crate::derivation::syntax::{Expression, Node, Span};
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::syntax::{Expression, Node, Span};
 
 impl Elaborator {
     /// The sum of the diagonal.

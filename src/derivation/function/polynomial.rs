@@ -8,11 +8,11 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::matrix::Matrix;
 use crate::algebra::number::Rational;
 use crate::algebra::symbol::Symbol;
-use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::algebra;
 use crate::derivation::quantity::{Quantity, Value};
-use crate::derivation::syntax::{Expression, Span};
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::syntax::{Expression, Span};
 
 impl Elaborator {
     /// The coefficient of a power of the variable.
@@ -94,7 +94,7 @@ impl Elaborator {
     }
 
     /// The coefficients of an element that is a polynomial in a symbol.
-    pub(in crate::derivation) fn coefficients_of(
+    pub(crate) fn coefficients_of(
         &mut self,
         value: &Fraction,
         symbol: Symbol,

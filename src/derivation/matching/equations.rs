@@ -4,10 +4,10 @@ use crate::algebra::arithmetic::{Arithmetic, Division};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::monomial::Monomial;
 use crate::algebra::polynomial::Polynomial;
-use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::algebra;
-use crate::derivation::syntax::{Matching, Span};
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::syntax::{Matching, Span};
 
 use super::Coefficients;
 

@@ -5,11 +5,11 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::monomial::Monomial;
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::symbol::Symbol;
-use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::algebra;
-use crate::derivation::notation::Notation;
-use crate::derivation::syntax::{Matching, Span};
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::notation::Notation;
+use crate::language::syntax::{Matching, Span};
 
 impl Elaborator {
     /// (a, −a₀) of a₀ + Σ aⱼ bⱼ.

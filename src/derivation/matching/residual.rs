@@ -2,11 +2,11 @@
 
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::substitution::{Replacing, Substitution};
-use crate::derivation::diagnostic::Diagnostic;
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::algebra;
 use crate::derivation::elaboration::limit::check_residuals;
-use crate::derivation::syntax::Matching;
+use crate::language::diagnostic::Diagnostic;
+use crate::language::syntax::Matching;
 
 use super::{Coefficients, Row};
 

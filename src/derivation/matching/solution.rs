@@ -9,12 +9,12 @@ use crate::algebra::matrix::Matrix;
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::ring::Ring;
 use crate::derivation::condition::Conditions;
-use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::algebra;
 use crate::derivation::elaboration::limit::check_minors_of;
 use crate::derivation::scope::Meaning;
-use crate::derivation::syntax::{Expression, Matching, Name, Replacement, Span};
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::syntax::{Expression, Matching, Name, Replacement, Span};
 
 use super::equations::Equations;
 use super::{Existence, Singularity};

@@ -1,6 +1,6 @@
 //! The built-in functions of documents.
 
-use crate::derivation::syntax::{Expression, Node as Written};
+use crate::language::syntax::{Expression, Node as Written};
 use crate::points::graph::Made;
 use crate::points::table::Table;
 use crate::points::{Failure, Unknown};

@@ -1,7 +1,7 @@
 //! Sums, products, quotients and powers.
 
 use crate::algebra::number::Rational;
-use crate::derivation::syntax::{BinaryOperator, Expression};
+use crate::language::syntax::{BinaryOperator, Expression};
 use crate::points::table::Table;
 use crate::points::{Failure, Unknown};
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::derivation::syntax::{Expression, Place, Replacement};
+use crate::language::syntax::{Expression, Place, Replacement};
 use crate::points::derivative::{By, Derivative};
 use crate::points::graph::{NodeId, VariableId};
 use crate::points::meaning::Meaning;

@@ -3,10 +3,10 @@
 use serde::Serialize;
 
 use super::mathematics::{formula, phrase};
-use crate::derivation::notation::Notation;
-use crate::derivation::verdict::{Claim, Verdict};
+use crate::language::notation::Notation;
 use crate::report::details::{Extent, details, route};
 use crate::report::words;
+use crate::verdict::claim::{Claim, Verdict};
 
 /// What the template is given of an assertion.
 #[derive(Serialize)]

@@ -9,16 +9,16 @@ use super::matching::MatchingView;
 use super::mathematics::phrase;
 use super::prose::{Heading, Section, sections};
 use super::statement::{LineView, QuantityView, line, quantity};
-use crate::derivation::audit::Audit;
-use crate::derivation::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::derivation::document::read_document;
-use crate::derivation::intent::Unread;
-use crate::derivation::name::Aliases;
-use crate::derivation::notation::Notation;
-use crate::derivation::syntax::{Statement, StatementKind};
-use crate::derivation::verdict::Claim;
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::document::read_document;
+use crate::language::intent::Unread;
+use crate::language::name::Aliases;
+use crate::language::notation::Notation;
+use crate::language::syntax::{Statement, StatementKind};
 use crate::report::summary::Summary;
 use crate::report::{premises, refusals, residuals, words};
+use crate::verdict::audit::Audit;
+use crate::verdict::claim::Claim;
 
 /// What the template is given of a document.
 #[derive(Serialize)]

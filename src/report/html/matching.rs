@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::mathematics::{expression, formula, phrase};
 use crate::derivation::matching::{Matched, Row};
-use crate::derivation::notation::Notation;
+use crate::language::notation::Notation;
 use crate::report::{residuals, words};
 
 const NOTATION: Notation = Notation::Latex;

@@ -3,8 +3,8 @@
 use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 
 use super::escape;
-use crate::derivation::notation::Notation;
-use crate::derivation::syntax::Expression;
+use crate::language::notation::Notation;
+use crate::language::syntax::Expression;
 use crate::report::phrase::Phrase;
 
 /// Shorter formulas are never broken.

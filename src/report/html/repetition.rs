@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::{CaseFiles, Request};
 use crate::compile::fingerprint::fingerprint;
-use crate::derivation::diagnostic::SourceFile;
+use crate::language::diagnostic::SourceFile;
 
 /// Commands, and the files that they read.
 #[derive(Serialize)]

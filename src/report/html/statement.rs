@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use super::escape;
 use super::mathematics::{expression, formula};
-use crate::derivation::notation::Notation;
-use crate::derivation::syntax::{
+use crate::language::notation::Notation;
+use crate::language::syntax::{
     EvaluatorBody, Expression, Name, Node, Place, Replacement, Spanned, StatementKind,
 };
 use crate::report::words;

@@ -2,14 +2,14 @@
 
 use serde::Serialize;
 
-use crate::derivation::audit::{Audit, Skipped};
-use crate::derivation::notation::Notation;
-use crate::derivation::syntax::Expression;
-use crate::derivation::verdict::{Claim, Witness};
+use crate::language::notation::Notation;
+use crate::language::syntax::Expression;
 use crate::report::details::{neglected, route};
 use crate::report::premises::{Premises, premises};
 use crate::report::refusals::{Message, Messages};
 use crate::report::words;
+use crate::verdict::audit::{Audit, Skipped};
+use crate::verdict::claim::{Claim, Witness};
 
 use super::ascii;
 use super::pairs::{Pairs, definitions};

@@ -2,11 +2,11 @@
 
 use serde::Serialize;
 
-use crate::derivation::audit::Audit;
 use crate::derivation::matching::{Matched, Neglected, Row, Singularity};
-use crate::derivation::notation::Notation;
+use crate::language::notation::Notation;
 use crate::report::refusals::{Message, Messages};
 use crate::report::words;
+use crate::verdict::audit::Audit;
 
 use super::ascii;
 use super::audit::{SkippedObject, skipped};

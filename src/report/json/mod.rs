@@ -18,8 +18,8 @@ mod validity;
 
 use serde::Serialize;
 
-use crate::derivation::notation::Notation;
-use crate::derivation::syntax::Expression;
+use crate::language::notation::Notation;
+use crate::language::syntax::Expression;
 
 pub use audit::{audits, explanation};
 pub use evaluation::{evaluation, evaluators};
@@ -48,10 +48,10 @@ fn ascii(expression: &Expression) -> String {
 mod tests {
     use serde_json::{Value, json};
 
-    use crate::derivation::audit::{Audit, audit};
-    use crate::derivation::diagnostic::SourceFile;
     use crate::documents::ShippedLibrary;
+    use crate::language::diagnostic::SourceFile;
     use crate::report::refusals::Messages;
+    use crate::verdict::audit::{Audit, audit};
 
     const DOCUMENT: &str = "# Title
 

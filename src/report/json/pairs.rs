@@ -2,7 +2,7 @@
 
 use serde::{Serialize, Serializer};
 
-use crate::derivation::syntax::{Expression, Name};
+use crate::language::syntax::{Expression, Name};
 
 use super::ascii;
 

@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 
 use unicode_normalization::UnicodeNormalization;
 
-use crate::derivation::audit::Audit;
-use crate::derivation::name::DottedName;
-use crate::derivation::notation::Notation;
-use crate::derivation::syntax::{Expression, Name};
+use crate::language::name::DottedName;
+use crate::language::notation::Notation;
+use crate::language::syntax::{Expression, Name};
+use crate::verdict::audit::Audit;
 
 /// How a document's prose is written: the names that it declares are mathematics.
 pub struct Prose {

@@ -1,11 +1,11 @@
 //! What became of a document, claim by claim and in sum.
 
-use crate::derivation::audit::Audit;
 use crate::derivation::matching::Matched;
-use crate::derivation::notation::Notation;
-use crate::derivation::verdict::Claim;
+use crate::language::notation::Notation;
 use crate::report::summary::Summary;
 use crate::report::{premises, refusals, residuals, words};
+use crate::verdict::audit::Audit;
+use crate::verdict::claim::Claim;
 
 use super::claim;
 use super::page::Page;

@@ -1,9 +1,9 @@
 //! One claim among others.
 
-use crate::derivation::notation::Notation;
-use crate::derivation::verdict::Claim;
+use crate::language::notation::Notation;
 use crate::report::details::{Extent, details};
 use crate::report::words;
+use crate::verdict::claim::Claim;
 
 use super::page::Page;
 use super::palette::{self, ALARM, FAINT, PLAIN, STRONG};

@@ -1,11 +1,11 @@
 //! The steps behind one verdict.
 
-use crate::derivation::audit::Audit;
-use crate::derivation::notation::Notation;
-use crate::derivation::syntax::Expression;
-use crate::derivation::verdict::Claim;
+use crate::language::notation::Notation;
+use crate::language::syntax::Expression;
 use crate::report::details::{Extent, details, route};
 use crate::report::words;
+use crate::verdict::audit::Audit;
+use crate::verdict::claim::Claim;
 
 use super::claim;
 use super::page::Page;

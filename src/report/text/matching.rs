@@ -1,8 +1,8 @@
 //! A matching of coefficients, power by power.
 
 use crate::derivation::matching::{Matched, Row};
-use crate::derivation::notation::Notation;
-use crate::derivation::syntax::Expression;
+use crate::language::notation::Notation;
+use crate::language::syntax::Expression;
 use crate::report::phrase::Phrase;
 use crate::report::words;
 

@@ -2,8 +2,8 @@
 
 use anstyle::{AnsiColor, Color, Style};
 
-use crate::derivation::verdict::{Claim, Verdict};
 use crate::report::words::is_surprise;
+use crate::verdict::claim::{Claim, Verdict};
 
 /// Titles, labels.
 pub const STRONG: Style = Style::new().bold();

@@ -5,12 +5,12 @@ use sextic::algebra::budget::Budget;
 use sextic::algebra::generator::Generator;
 use sextic::algebra::sign::Signs;
 use sextic::derivation::elaboration::Elaborator;
-use sextic::derivation::expression_parser::parse_expression;
-use sextic::derivation::notation::Notation;
 use sextic::derivation::presentation::Presenter;
 use sextic::derivation::scope::{Meaning, SymbolKind};
-use sextic::derivation::syntax::{Name, Spanned};
-use sextic::derivation::unit::Unit;
+use sextic::language::expression_parser::parse_expression;
+use sextic::language::notation::Notation;
+use sextic::language::syntax::{Name, Spanned};
+use sextic::language::unit::Unit;
 
 fn elaborator() -> Elaborator {
     let mut elaborator = Elaborator::new(Budget::new(1_000_000));

@@ -1,0 +1,26 @@
+//! What a document says: Markdown, tokens, grammar, names, units, notation and mistakes.
+//!
+//! Nothing here knows what an expression is worth; of algebra it takes the numbers.
+
+mod blank;
+pub mod built_in;
+mod character;
+mod cursor;
+mod declaration_parser;
+pub mod diagnostic;
+pub mod document;
+pub mod evaluator;
+pub mod expression_parser;
+pub mod intent;
+pub mod label;
+mod lexer;
+pub(crate) mod line_end;
+pub(crate) mod look_alike;
+pub mod markdown;
+pub mod mention;
+pub mod name;
+pub mod notation;
+mod statement_parser;
+pub mod syntax;
+pub mod unit;
+pub mod visit;

@@ -1,0 +1,389 @@
+//! Declarations: what statements make names mean, and what they assume.
+
+use std::sync::Arc;
+
+use dashu_base::Signed;
+
+use crate::algebra::arithmetic::Arithmetic;
+use crate::algebra::error::AlgebraError;
+use crate::algebra::generator::Generator;
+use crate::algebra::sign::Signs;
+use crate::derivation::condition::Conditions;
+use crate::derivation::elaboration::error::{algebra, sides};
+use crate::derivation::quantity::common_unit;
+use crate::derivation::scope::{Meaning, SymbolKind};
+use crate::language::built_in;
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::language::mention::Mention;
+use crate::language::syntax::{
+    Comparison, Expression, Name, Place, Relation, Sign, Span, Spanned, Statement, StatementKind,
+};
+use crate::language::unit::Unit;
+
+use super::reader::Reader;
+use super::{Assumption, Declaration};
+
+impl Reader<'_> {
+    /// Declares what a statement declares; other statements declare nothing.
+    pub(super) fn declare(&mut self, statement: &Statement) -> Result<(), Diagnostic> {
+        match &statement.kind {
+            StatementKind::Parameter {
+                names,
+                unit,
+                sign,
+                description,
+            } => {
+                let unit = Unit::parse(unit)?;
+                for name in names {
+                    let generator = Generator::Constant {
+                        name: name.value.ascii.clone(),
+                    };
+                    self.symbol(
+                        name,
+                        generator,
+                        &unit,
+                        SymbolKind::Parameter,
+                        *sign,
+                        description,
+                    )?;
+                }
+                self.declarations.extend(sign.map(|sign| Declaration {
+                    names: names.iter().map(|name| name.value.clone()).collect(),
+                    sign,
+                    place: self.here.clone(),
+                }));
+                Ok(())
+            }
+            StatementKind::Complex {
+                names,
+                unit,
+                description,
+            } => {
+                let unit = Unit::parse(unit)?;
+                for name in names {
+                    let ascii = name.value.ascii.clone();
+                    let generator = Generator::Constant { name: ascii };
+                    self.symbol(
+                        name,
+                        generator,
+                        &unit,
+                        SymbolKind::Complex,
+                        None,
+                        description,
+                    )?;
+                }
+                Ok(())
+            }
+            StatementKind::Angle { names, description } => {
+                for name in names {
+                    let generator = Generator::Angle {
+                        name: name.value.ascii.clone(),
+                    };
+                    self.symbol(
+                        name,
+                        generator,
+                        &Unit::one(),
+                        SymbolKind::Angle,
+                        None,
+                        description,
+                    )?;
+                }
+                Ok(())
+            }
+            StatementKind::Coordinate {
+                names,
+                unit,
+                description,
+            } => {
+                let angular = unit.value.trim() == "rad";
+                let unit = Unit::parse(unit)?;
+                let kind = if angular {
+                    SymbolKind::AngularCoordinate
+                } else {
+                    SymbolKind::Coordinate
+                };
+                for name in names {
+                    let ascii = name.value.ascii.clone();
+                    let generator = Generator::Coordinate {
+                        name: ascii,
+                        order: 0,
+                        angular,
+                    };
+                    self.symbol(name, generator, &unit, kind, None, description)?;
+                }
+                Ok(())
+            }
+            StatementKind::Imaginary { name } => {
+                let generator = Generator::ImaginaryUnit;
+                self.symbol(
+                    name,
+                    generator,
+                    &Unit::one(),
+                    SymbolKind::Imaginary,
+                    None,
+                    &None,
+                )
+            }
+            StatementKind::Function {
+                names,
+                reference,
+                unit,
+                description,
+            } => {
+                let unit = Unit::parse(unit)?;
+                let argument = self.elaborator.scalar(reference)?;
+                let conditions = std::mem::take(&mut self.elaborator.conditions);
+                for name in names {
+                    let meaning = Meaning::Function {
+                        reference: reference.clone(),
+                        argument: argument.clone(),
+                        conditions: conditions.clone(),
+                        unit: unit.clone(),
+                    };
+                    self.elaborator
+                        .scope
+                        .declare(name, meaning, description.clone())?;
+                }
+                Ok(())
+            }
+            StatementKind::Assume {
+                relation,
+                description,
+            } => {
+                self.assume(relation)?;
+                self.assumptions.push(Assumption {
+                    relation: relation.clone(),
+                    description: description.clone(),
+                    place: self.here.clone(),
+                });
+                Ok(())
+            }
+            StatementKind::Definition {
+                names,
+                arguments,
+                values,
+            } => self.define(names, arguments, values),
+            StatementKind::Substitution { name, replacements } => {
+                let place = Place::Replacements(replacements.clone());
+                self.elaborator.substitution(&place, &statement.span)?;
+                // What each replacement needs is asked for where it is made.
+                let meaning = Meaning::Substitution {
+                    replacements: replacements.clone(),
+                    conditions: Conditions::default(),
+                    sources: Vec::new(),
+                };
+                self.elaborator.scope.declare(name, meaning, None)
+            }
+            StatementKind::Import { .. }
+            | StatementKind::Assertion { .. }
+            | StatementKind::Eigenpair { .. }
+            | StatementKind::Match(_)
+            | StatementKind::Domain(_)
+            | StatementKind::Evaluator { .. } => Ok(()),
+        }
+    }
+
+    fn symbol(
+        &mut self,
+        name: &Spanned<Name>,
+        generator: Generator,
+        unit: &Unit,
+        kind: SymbolKind,
+        sign: Option<Sign>,
+        description: &Option<String>,
+    ) -> Result<(), Diagnostic> {
+        let ring = &mut self.elaborator.ring;
+        let symbol = ring
+            .symbol(generator)
+            .map_err(|error| algebra(error, &name.span))?;
+        let signs = match sign {
+            None => Signs::ANY,
+            Some(Sign::Positive) => Signs::POSITIVE,
+            Some(Sign::NonNegative) => Signs::NON_NEGATIVE,
+            Some(Sign::NonZero) => Signs::NON_ZERO,
+            Some(Sign::Negative) => Signs::NEGATIVE,
+            Some(Sign::NonPositive) => Signs::NON_NEGATIVE.opposite(),
+        };
+        ring.assumptions_mut().assume_symbol(symbol, signs);
+        if kind == SymbolKind::Complex {
+            ring.assumptions_mut().assume_complex(symbol);
+        }
+        let meaning = Meaning::Symbol {
+            symbol,
+            unit: unit.clone(),
+            kind,
+        };
+        self.elaborator
+            .scope
+            .declare(name, meaning, description.clone())
+    }
+
+    fn assume(&mut self, relation: &Relation) -> Result<(), Diagnostic> {
+        let span = &(relation.left.span.start..relation.right.span.end);
+        let left = self.elaborator.scalar(&relation.left)?;
+        let right = self.elaborator.scalar(&relation.right)?;
+        common_unit(&left.unit, &right.unit)
+            .map_err(|error| sides(error, &relation.left, &relation.right, span))?;
+        let sides = [&relation.left, &relation.right];
+        for (side, quantity) in sides.into_iter().zip([&left, &right]) {
+            if !self.elaborator.ring.is_real(&quantity.value) {
+                return Err(algebra(AlgebraError::NotReal, &side.span)
+                    .with_label("complex numbers have no order"));
+            }
+        }
+        let signs = match relation.comparison {
+            Comparison::Less => Signs::POSITIVE,
+            Comparison::LessOrEqual => Signs::NON_NEGATIVE,
+            Comparison::Greater => Signs::NEGATIVE,
+            Comparison::GreaterOrEqual => Signs::NON_NEGATIVE.opposite(),
+            Comparison::Equal => {
+                let message = "only inequalities can be assumed";
+                return Err(
+                    Diagnostic::new(DiagnosticKind::Unsupported, span.clone(), message)
+                        .with_label("an equation")
+                        .with_help("define one side by the other with `:=`"),
+                );
+            }
+        };
+        let ring = &mut self.elaborator.ring;
+        let difference = ring.difference(&right.value, &left.value);
+        let difference = difference.map_err(|error| algebra(error, span))?;
+        let below = ring.polynomial_signs(difference.denominator());
+        let below = below.map_err(|error| algebra(error, span))?;
+        if !below.is_positive() {
+            let message = "an assumption must be an inequality between polynomials";
+            return Err(
+                Diagnostic::new(DiagnosticKind::Unsupported, span.clone(), message)
+                    .with_help("multiply it by its denominator, whose sign must be known"),
+            );
+        }
+        let above = difference.numerator().clone();
+        let known = ring.polynomial_signs(&above);
+        let known = known.map_err(|error| algebra(error, span))?;
+        if known.intersection(signs) == Signs::NONE {
+            return Err(contradiction(known, span));
+        }
+        let (above, signs) = match signs.negative {
+            true => (-&above, signs.opposite()),
+            false => (above, signs),
+        };
+        let assumptions = ring.assumptions_mut();
+        // Of a name, a sine or a function's value alone it serves wherever that occurs.
+        if let [(monomial, coefficient)] = above.terms()
+            && monomial.degree() == 1
+            && let Some((symbol, _)) = monomial.factors().next()
+        {
+            let of_symbol = match coefficient.is_positive() {
+                true => signs,
+                false => signs.opposite(),
+            };
+            assumptions.assume_symbol(symbol, of_symbol);
+        }
+        assumptions.assume_polynomial(above, signs);
+        Ok(())
+    }
+
+    fn define(
+        &mut self,
+        names: &[Spanned<Name>],
+        arguments: &[Spanned<Name>],
+        values: &[Expression],
+    ) -> Result<(), Diagnostic> {
+        for (place, argument) in arguments.iter().enumerate() {
+            self.require_no_function(argument)?;
+            if let Some(earlier) = arguments[..place]
+                .iter()
+                .find(|e| e.value == argument.value)
+            {
+                let message = format!("two arguments are called `{}`", argument.value);
+                return Err(Diagnostic::new(
+                    DiagnosticKind::Duplicate,
+                    argument.span.clone(),
+                    message,
+                )
+                .with_label("the same again")
+                .with_secondary(earlier.span.clone(), "the first one")
+                .with_help("give each argument a name of its own"));
+            }
+        }
+        for (name, expression) in names.iter().zip(values) {
+            let meaning = if arguments.is_empty() {
+                self.elaborator.fresh();
+                let value = self.elaborator.value(expression)?;
+                self.elaborator.keep(&value, &expression.span)?;
+                Meaning::Definition {
+                    expression: expression.clone(),
+                    value,
+                    conditions: std::mem::take(&mut self.elaborator.conditions),
+                }
+            } else {
+                self.require_known(expression, arguments)?;
+                Meaning::Template {
+                    arguments: arguments
+                        .iter()
+                        .map(|argument| argument.value.clone())
+                        .collect(),
+                    expression: Arc::new(expression.clone()),
+                }
+            };
+            self.elaborator.scope.declare(name, meaning, None)?;
+        }
+        Ok(())
+    }
+
+    /// Sees that an argument is not called like what is called with arguments: it would not be plain
+    /// which of the two `C'` and `C(0)` mean.
+    fn require_no_function(&self, argument: &Spanned<Name>) -> Result<(), Diagnostic> {
+        let name = &argument.value;
+        let entry = self.elaborator.scope.get(name);
+        let is_declared = entry.is_some_and(|entry| {
+            matches!(
+                entry.meaning,
+                Meaning::Function { .. } | Meaning::Template { .. }
+            )
+        });
+        if !is_declared && !built_in::NAMES.contains(&name.ascii.as_str()) {
+            return Ok(());
+        }
+        let message = format!("the argument `{name}` has the name of a function");
+        Err(
+            Diagnostic::new(DiagnosticKind::Duplicate, argument.span.clone(), message)
+                .with_label("a function of this name is known")
+                .with_help("give the argument another name"),
+        )
+    }
+
+    /// Sees that a definition with arguments mentions only them and what is declared above it: what it
+    /// rests on must not change later.
+    fn require_known(
+        &self,
+        body: &Expression,
+        arguments: &[Spanned<Name>],
+    ) -> Result<(), Diagnostic> {
+        let mut mentions = Vec::new();
+        body.collect_mentions(&mut mentions);
+        for Mention { name, .. } in mentions {
+            let is_argument = arguments.iter().any(|argument| argument.value == name);
+            if !is_argument && !built_in::NAMES.contains(&name.ascii.as_str()) {
+                let entry = self.elaborator.scope.find(&name, &body.span);
+                entry.map_err(|error| {
+                    error.with_help(
+                        "a definition mentions its arguments and what is declared above it",
+                    )
+                })?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// An assumption that cannot be true beside what is declared and assumed above it.
+fn contradiction(known: Signs, span: &Span) -> Diagnostic {
+    let message = "this assumption contradicts what is declared or assumed above it";
+    Diagnostic::new(DiagnosticKind::Inconsistent, span.clone(), message)
+        .with_label(format!(
+            "the right side less the left is {} by what is above",
+            known.in_words()
+        ))
+        .with_help("from a contradiction everything follows: correct one of the two")
+}
