@@ -18,7 +18,7 @@ use domain::Sampler;
 pub use domain::{Domain, Interval};
 use double_double::Pairs;
 use evaluation::Doubles;
-pub use evaluation::{evaluate, evaluate_closely, evaluate_exactly};
+pub use evaluation::{evaluate, evaluate_at, evaluate_closely, evaluate_exactly};
 pub use unit::units;
 
 /// Why there is no measure.

@@ -1,7 +1,7 @@
 //! The bounds on what a computation may cost.
 
-use std::cell::Cell;
 use std::fmt;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use dashu_base::BitTest;
 
@@ -36,12 +36,41 @@ pub const LARGEST_EXPONENT: u32 = u16::MAX as u32;
 /// budget.refill();
 /// assert!(budget.spend(7).is_ok());
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Budget {
     limit: u64,
-    remaining: Cell<u64>,
+    remaining: Supply,
     /// What all computations together may still take.
-    reserve: Cell<u64>,
+    reserve: Supply,
+}
+
+/// Steps that are left. One computation at a time draws from it, so that no order of threads matters.
+#[derive(Debug)]
+struct Supply(AtomicU64);
+
+impl Supply {
+    const fn new(steps: u64) -> Self {
+        Supply(AtomicU64::new(steps))
+    }
+
+    fn get(&self) -> u64 {
+        self.0.load(Ordering::Relaxed)
+    }
+
+    fn set(&self, steps: u64) {
+        self.0.store(steps, Ordering::Relaxed);
+    }
+}
+
+impl Clone for Budget {
+    /// A supply with as much left.
+    fn clone(&self) -> Self {
+        Budget {
+            limit: self.limit,
+            remaining: Supply::new(self.remaining.get()),
+            reserve: Supply::new(self.reserve.get()),
+        }
+    }
 }
 
 /// So many full supplies are there in all: a step takes up to 50 ns, and what is kept costs 20 steps for
@@ -53,8 +82,8 @@ impl Budget {
     pub const fn new(limit: u64) -> Self {
         Budget {
             limit,
-            remaining: Cell::new(limit),
-            reserve: Cell::new(limit.saturating_mul(SUPPLIES)),
+            remaining: Supply::new(limit),
+            reserve: Supply::new(limit.saturating_mul(SUPPLIES)),
         }
     }
 

@@ -3,7 +3,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use clap::Args;
-use sextic_codegen::evaluator::{Circular, Function, Input, Origin};
 use sextic_codegen::language::literal::Decimal;
 use sextic_codegen::rounding;
 
@@ -117,7 +116,8 @@ fn list(audits: &mut [Audit], names: &[String], format: Results) -> Outcome {
     }
 }
 
-fn failed(failure: &Failure, audits: &[Audit]) -> Outcome {
+/// Writes why nothing can be evaluated.
+pub fn failed(failure: &Failure, audits: &[Audit]) -> Outcome {
     match failure {
         Failure::Refused(evaluator, path, refusal) => refused(evaluator, path, refusal, audits),
         _ => wrong(
@@ -143,13 +143,7 @@ fn evaluate(name: &str, set: &[Fixed], audit: &mut Audit) -> Result<Evaluation, 
         .admit(&numbers, audit)
         .map_err(|refusal| refused(name, &audit.path, &refusal, std::slice::from_ref(audit)))?;
     let evaluator = &specification.evaluator;
-    let inputs: Option<Vec<f64>> = evaluator
-        .inputs
-        .iter()
-        .map(|input| value(input, &values))
-        .collect();
-    let found = inputs.and_then(|inputs| rounding::evaluate(&evaluator.program, &inputs));
-    let found = found.unwrap_or_default();
+    let found = rounding::evaluate_at(evaluator, &values).unwrap_or_default();
     let outputs = evaluator.outputs.iter().cloned().zip(found);
     let outputs: Vec<_> = outputs.collect();
     if let Some((output, _)) = outputs.iter().find(|(_, value)| !value.is_finite()) {
@@ -238,22 +232,4 @@ fn known_names(audit: &Audit) -> BTreeSet<String> {
         }
     }
     names
-}
-
-/// What an input of a program is, given the quantities by name.
-fn value(input: &Input, values: &BTreeMap<String, f64>) -> Option<f64> {
-    match &input.origin {
-        Origin::Given => values.get(&input.quantity.name).copied(),
-        Origin::Circular(Circular { function, angle }) => {
-            let mut sum = 0.0;
-            for (count, name) in angle {
-                sum += f64::from(*count) * values.get(name)?;
-            }
-            Some(match function {
-                Function::Cosine => sum.cos(),
-                Function::Sine => sum.sin(),
-            })
-        }
-        Origin::Fixed(fixed) => Decimal::nearest(&fixed.value).map(|number| number.value),
-    }
 }

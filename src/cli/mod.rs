@@ -3,6 +3,8 @@
 mod audit;
 #[cfg(feature = "stability")]
 mod case;
+#[cfg(feature = "stability")]
+mod compare;
 mod evaluate;
 #[cfg(feature = "stability")]
 mod figures;
@@ -28,6 +30,8 @@ mod speeds;
 mod stability;
 #[cfg(feature = "stability")]
 mod sweep;
+#[cfg(feature = "stability")]
+mod system;
 #[cfg(feature = "stability")]
 mod validity;
 #[cfg(feature = "stability")]
@@ -85,6 +89,8 @@ enum Command {
     #[cfg(feature = "stability")]
     Modes(modes::Arguments),
     #[cfg(feature = "stability")]
+    Compare(compare::Arguments),
+    #[cfg(feature = "stability")]
     Validity(validity::Arguments),
     #[cfg(feature = "stability")]
     Figures(figures::Arguments),
@@ -115,6 +121,8 @@ pub fn run() -> ExitCode {
         Command::Speeds(arguments) => speeds::run(&arguments),
         #[cfg(feature = "stability")]
         Command::Modes(arguments) => modes::run(&arguments),
+        #[cfg(feature = "stability")]
+        Command::Compare(arguments) => compare::run(&arguments),
         #[cfg(feature = "stability")]
         Command::Validity(arguments) => validity::run(&arguments),
         #[cfg(feature = "stability")]

@@ -8,7 +8,7 @@ use sextic_codegen::language::literal::Decimal;
 
 use crate::algebra::number::Rational;
 use crate::compile::fixed::Fixed;
-use crate::report::modes::{ModeFound, ModesFound};
+use crate::report::modes::{ModeFound, ModesFound, Moving};
 use crate::report::{json, text};
 use crate::stability::closed_form::{ClosedForm, Limitation, closed_form};
 use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
@@ -18,6 +18,7 @@ use crate::stability::exact_section::ExactSection;
 use crate::stability::model::Model;
 use crate::stability::quantities::{names, needed, parameters};
 use crate::stability::section::{Parameters, Section};
+use crate::stability::system::Instance;
 use crate::stability::tracking::{Mode, places};
 use crate::stability::uniform_form::uniform_form;
 use crate::stability::verdict::{Doubt, Verdict, exact_verdict};
@@ -26,8 +27,12 @@ use crate::stability::{companion, exact_modes, state_matrix};
 use super::Outcome;
 use super::generate::{FixedParser, unknown};
 use super::output::{Results, finish, wrong};
+use super::system::{Chosen, Which, numbers, refuse};
 
-/// Computes the modes of one section in the wind
+/// Computes the modes of one section in the wind, or of a system that a document derives
+///
+/// With a document or --system: the system that the document names so, whose quantities have the names of
+/// the document. Else a section as He & Macdonald (2017) model it.
 ///
 /// Eigenvalues are in 1/s, one of each pair of conjugates: the real part is the growth, the imaginary
 /// part the circular frequency. Quantities are in SI units, angles in radians, derivatives per radian;
@@ -37,6 +42,13 @@ use super::output::{Results, finish, wrong};
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
+    /// A Markdown document with a system; without one and without --system, a section in the wind
+    #[arg(value_name = "DOC")]
+    document: Option<String>,
+
+    #[command(flatten)]
+    which: Which,
+
     /// A quantity and its value; may be given several times
     #[arg(long, value_name = "NAME=VALUE", value_parser = FixedParser, allow_hyphen_values = true)]
     set: Vec<Fixed>,
@@ -103,11 +115,17 @@ Examples:
   sextic modes --set m=3.5 --set r=0.0178 --set L_g=0.004 --set alpha_g=0.5 --set theta_0=0 \\
     --set omega_x=6 --set omega_y=5.3 --set omega_theta=5.4 \\
     --set zeta_x=0 --set zeta_y=0 --set zeta_theta=0 --set U=0
+  sextic modes mine.md --system bridge --set U=40 --shapes
   sextic modes … --method exact --shapes --format json | jq .eigenvalues";
 
 /// Finds the modes and writes them.
 pub fn run(arguments: &Arguments) -> Outcome {
-    match found(arguments) {
+    let is_derived = arguments.document.is_some() || arguments.which.system.is_some();
+    let found = match is_derived {
+        true => of_system(arguments),
+        false => found(arguments),
+    };
+    match found {
         Err(outcome) => outcome,
         Ok(found) => {
             let written = match arguments.format {
@@ -117,6 +135,70 @@ pub fn run(arguments: &Arguments) -> Outcome {
             finish(&written, Outcome::AsExpected)
         }
     }
+}
+
+/// The modes of a system that a document derives.
+fn of_system(arguments: &Arguments) -> Result<ModesFound, Outcome> {
+    if !matches!(arguments.method, Method::State | Method::Companion) {
+        return Err(wrong(
+            "the modes of a system of a document are found by its state matrix or its companion matrix",
+            "`--method state` or `--method companion`; `sextic compare` has its closed forms",
+        ));
+    }
+    let Chosen { system, shown } = arguments.which.choose(arguments.document.as_deref())?;
+    let values = numbers(&arguments.set)?;
+    let instance = system.at(&values).map_err(|error| refuse(&error))?;
+    let modes = match arguments.method {
+        Method::Companion => by_companion(&instance)?,
+        _ => by_state(&instance, &shown, arguments.shapes)?,
+    };
+    Ok(ModesFound {
+        what: "system",
+        method: match arguments.method {
+            Method::Companion => "companion",
+            _ => "state",
+        },
+        is_formula: false,
+        modes,
+        damping_coefficient: None,
+        verdict: instance.verdict(),
+        diverges: instance.diverges() == Some(true),
+        warnings: Vec::new(),
+    })
+}
+
+fn by_companion(instance: &Instance<'_>) -> Result<Vec<ModeFound>, Outcome> {
+    let spectrum = instance.companion().map_err(|error| refuse(&error))?;
+    let modes = spectrum.one_of_each_pair().map(|own| ModeFound {
+        value: own.value,
+        error: Some(own.error),
+        shape: None,
+    });
+    Ok(modes.collect())
+}
+
+fn by_state(
+    instance: &Instance<'_>,
+    shown: &[String],
+    with_shapes: bool,
+) -> Result<Vec<ModeFound>, Outcome> {
+    let modes = instance.modes().map_err(|error| refuse(&error))?;
+    let names = &instance.system().coordinates;
+    let moving = |((shown, name), entry): ((&String, &String), Complex<f64>)| Moving {
+        shown: shown.clone(),
+        name: name.clone(),
+        entry,
+    };
+    let shape = |shape: Option<Vec<Complex<f64>>>| {
+        let named = shown.iter().zip(names);
+        shape.map(|entries| named.zip(entries).map(moving).collect())
+    };
+    let modes = modes.into_iter().map(|own| ModeFound {
+        value: own.eigenvalue.value,
+        error: Some(own.eigenvalue.error),
+        shape: with_shapes.then(|| shape(own.shape)),
+    });
+    Ok(modes.collect())
 }
 
 fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
@@ -225,6 +307,7 @@ fn by_form(
         shape: None,
     };
     Ok(ModesFound {
+        what: "section",
         method,
         is_formula: true,
         modes: pairs.into_iter().map(mode).collect(),
@@ -258,7 +341,12 @@ fn by_spectrum(
     let shape = |value, place| {
         let mode = Mode::new(model, value, place)?;
         let free = section.free().iter().copied();
-        Some(free.zip(mode.shape).collect())
+        let moving = free.zip(mode.shape);
+        Some(
+            moving
+                .map(|(own, entry)| Moving::of_section(own, entry))
+                .collect(),
+        )
     };
     let mode = |(own, place): (Eigenvalue, _)| ModeFound {
         value: own.value,
@@ -266,6 +354,7 @@ fn by_spectrum(
         shape: with_shapes.then(|| shape(own.value, place)),
     };
     ModesFound {
+        what: "section",
         method,
         is_formula: false,
         modes: places.into_iter().map(mode).collect(),

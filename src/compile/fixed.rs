@@ -1,5 +1,6 @@
 //! Quantities that are given a number once and for all.
 
+use std::fmt;
 use std::str::FromStr;
 
 use crate::algebra::number::{Integer, Rational};
@@ -24,6 +25,21 @@ pub enum Unfixed {
     /// What stands behind the `=` is no number.
     Number(String),
 }
+
+impl fmt::Display for Unfixed {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Unfixed::Form => {
+                formatter.write_str("a quantity and its number are written `name=value`")
+            }
+            Unfixed::Number(text) => {
+                write!(formatter, "`{text}` is no decimal number and no fraction")
+            }
+        }
+    }
+}
+
+impl std::error::Error for Unfixed {}
 
 impl FromStr for Fixed {
     type Err = Unfixed;

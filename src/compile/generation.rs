@@ -1,6 +1,7 @@
 //! From a document to source text: specified, measured, emitted, read back and proven.
 
 use std::collections::BTreeMap;
+use std::fmt;
 
 use sextic_codegen::evaluator::Evaluator as Emitted;
 use sextic_codegen::language::{self, File, Language, Renamed};
@@ -108,6 +109,46 @@ pub enum Failure {
     /// The text of an evaluator is not proven: a mistake of this program.
     Doubted(String, Doubt),
 }
+
+impl fmt::Display for Failure {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let known = |names: &[String]| names.join(", ");
+        match self {
+            Failure::NoEvaluator => formatter.write_str("the documents want nothing compiled"),
+            Failure::UnknownEvaluator(name, names) => {
+                write!(
+                    formatter,
+                    "there is no evaluator `{name}`: there are {}",
+                    known(names)
+                )
+            }
+            Failure::UnknownQuantity(name, names) => write!(
+                formatter,
+                "no evaluator rests on `{name}`: they rest on {}",
+                known(names)
+            ),
+            Failure::Refused(evaluator, path, refusal) => {
+                write!(
+                    formatter,
+                    "`{evaluator}` of {path} cannot be compiled: {refusal}"
+                )
+            }
+            Failure::NoPoint(evaluator) => write!(
+                formatter,
+                "`{evaluator}` has no value at any point of the domain that is drawn"
+            ),
+            Failure::Language(error) => error.fmt(formatter),
+            Failure::Doubted(evaluator, doubt) => {
+                write!(
+                    formatter,
+                    "the text of `{evaluator}` is not proven: {doubt}"
+                )
+            }
+        }
+    }
+}
+
+impl std::error::Error for Failure {}
 
 /// Generates what is ordered from audited documents; `report` is told what is being worked on.
 ///
@@ -246,14 +287,7 @@ fn proven(
 
 /// The intervals that the document states for the inputs of an evaluator.
 fn domain(evaluator: &Emitted, audit: &Audit) -> Domain {
-    let (ring, scope) = (&audit.elaborator.ring, &audit.elaborator.scope);
-    let mut intervals = BTreeMap::new();
-    for (symbol, interval) in audit.domain.intervals() {
-        if let Some(input) = Input::of(symbol, ring, scope) {
-            let (from, to) = (interval.from.clone(), interval.to.clone());
-            intervals.insert(input.name, Interval { from, to });
-        }
-    }
+    let intervals = intervals(audit);
     let mut parts: Vec<String> = Vec::new();
     for input in evaluator.free_inputs() {
         if let Some(Interval { from, to }) = intervals.get(&input.quantity.name) {
@@ -268,4 +302,15 @@ fn domain(evaluator: &Emitted, audit: &Audit) -> Domain {
         intervals,
         text: parts.join(", "),
     }
+}
+
+/// The intervals that a document states, by the names that programs have for the quantities.
+pub fn intervals(audit: &Audit) -> BTreeMap<String, Interval> {
+    let (ring, scope) = (&audit.elaborator.ring, &audit.elaborator.scope);
+    let named = audit.domain.intervals().filter_map(|(symbol, interval)| {
+        let input = Input::of(symbol, ring, scope)?;
+        let (from, to) = (interval.from.clone(), interval.to.clone());
+        Some((input.name, Interval { from, to }))
+    });
+    named.collect()
 }

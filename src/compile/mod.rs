@@ -17,4 +17,5 @@ pub mod polynomial;
 pub mod proof;
 pub mod reading;
 pub mod specification;
+pub mod system;
 pub mod translation;

@@ -4,6 +4,8 @@ mod fixing;
 mod formula;
 mod validity;
 
+use std::fmt;
+
 use validity::Requirement;
 
 use sextic_codegen::evaluator::{Angle, Evaluator as Emitted, Input as EmittedInput, Quantity};
@@ -13,7 +15,7 @@ use crate::algebra::symbol::Symbol;
 use crate::derivation::condition::Conditions;
 use crate::language::diagnostic::Diagnostic;
 use crate::language::evaluator::{Evaluator, Output};
-use crate::language::syntax::{Expression, Label, Node, Place};
+use crate::language::syntax::{Label, Place};
 use crate::verdict::audit::Audit;
 
 use super::constant::Constant;
@@ -53,6 +55,20 @@ pub enum Refusal {
     /// A quantity cannot have the number that it is given: its name, and why.
     Number(String, String),
 }
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Refusal::Document(diagnostic) => diagnostic.fmt(formatter),
+            Refusal::Program(reason) => formatter.write_str(reason),
+            Refusal::Number(names, reason) => {
+                write!(formatter, "this value of {names} is not allowed: {reason}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for Refusal {}
 
 impl Refusal {
     fn document(error: Diagnostic) -> Self {
@@ -222,10 +238,7 @@ fn equations(label: &Label) -> Vec<String> {
 fn at(evaluator: &Evaluator, place: &Place) -> Evaluator {
     let output = |output: &Output| Output {
         name: output.name.clone(),
-        expression: Expression {
-            span: output.expression.span.clone(),
-            node: Node::At(Box::new(output.expression.clone()), place.clone()),
-        },
+        expression: output.expression.clone().at(place.clone()),
     };
     Evaluator {
         outputs: evaluator.outputs.iter().map(output).collect(),

@@ -9,7 +9,7 @@ use super::elaboration::Elaborator;
 use super::elaboration::error::{argument_count, shape};
 use super::elaboration::matrix::identity;
 use super::quantity::Value;
-use crate::language::built_in::{NAMES, arity, usage};
+use crate::language::built_in::{BuiltIn, Declared, names};
 use crate::language::diagnostic::{Diagnostic, DiagnosticKind, nearest};
 use crate::language::syntax::{Expression, Name, Span};
 
@@ -26,10 +26,9 @@ impl Elaborator {
         arguments: &[Expression],
         span: &Span,
     ) -> Result<Value, Diagnostic> {
-        let name = function.ascii.as_str();
-        if !NAMES.contains(&name) {
+        let Some(declared) = Declared::of(&function.ascii) else {
             return Err(self.unknown_function(function, span));
-        }
+        };
         if order > 0 {
             let message = format!("the built-in function `{function}` has no primes");
             return Err(
@@ -38,23 +37,34 @@ impl Elaborator {
                     .with_help("differentiate with `d(…, x)` or `dt(…)`"),
             );
         }
-        match (name, arguments) {
-            ("sin" | "cos" | "tan" | "cot", [angle]) => self.circular(name, angle, span),
-            ("angle", [x, y]) => self.direction(x, y, span),
-            ("sqrt", [square]) => {
+        match declared.call(arguments) {
+            Some(call) => self.value_of_call(call, span),
+            None => {
+                let (wanted, given) = (declared.count(), arguments.len());
+                let usage = declared.usage;
+                Err(argument_count(function, wanted, given, usage, span))
+            }
+        }
+    }
+
+    fn value_of_call(&mut self, call: BuiltIn<'_>, span: &Span) -> Result<Value, Diagnostic> {
+        match call {
+            BuiltIn::Circular(function, angle) => self.circular(function, angle, span),
+            BuiltIn::Direction(x, y) => self.direction(x, y, span),
+            BuiltIn::Root(square) => {
                 let square = self.scalar(square)?;
                 Ok(self.root(&square, span)?.scalar())
             }
-            ("dt", [inner]) => self.time_derivative(inner, span),
-            ("d", [value, variables]) => self.jacobian(value, variables, span),
-            ("truncate", [value, small, order]) => self.truncation(value, small, order, span),
-            ("coefficient", [polynomial, variable, power]) => {
+            BuiltIn::Rate(inner) => self.time_derivative(inner, span),
+            BuiltIn::Jacobian(value, variables) => self.jacobian(value, variables, span),
+            BuiltIn::Truncation(value, small, order) => self.truncation(value, small, order, span),
+            BuiltIn::Coefficient(polynomial, variable, power) => {
                 self.coefficient(polynomial, variable, power)
             }
-            ("hurwitz", [polynomial, variable, size]) => {
+            BuiltIn::Hurwitz(polynomial, variable, size) => {
                 self.hurwitz(polynomial, variable, size, span)
             }
-            ("det", [matrix]) => {
+            BuiltIn::Determinant(matrix) => {
                 let matrix = self.square(matrix)?;
                 if matrix.shape() == (1, 1) {
                     return Err(shape(span, "a determinant is that of a matrix".into())
@@ -63,27 +73,25 @@ impl Elaborator {
                 }
                 Ok(self.determinant(&matrix, span)?.scalar())
             }
-            ("adjugate", [matrix]) => {
+            BuiltIn::Adjugate(matrix) => {
                 let matrix = self.square(matrix)?;
                 self.adjugate(&matrix, span)
             }
-            ("inverse", [matrix]) => {
+            BuiltIn::Inverse(matrix) => {
                 let value = self.square(matrix)?;
                 self.inverse(&value, &matrix.span)
             }
-            ("solve", [matrix, right]) => self.solution(matrix, right, span),
-            ("kernel", [matrix]) => self.kernel(matrix, span),
-            ("transpose", [matrix]) => Ok(self.value(matrix)?.transpose()),
-            ("trace", [matrix]) => self.trace(matrix, span),
-            ("diagonal", [_, ..]) => self.diagonal(arguments, span),
-            ("identity", [size]) => Ok(identity(self.positive(size)?)),
-            ("zero", [rows, columns]) => self.zero_matrix(rows, columns),
-            ("row", [matrix, place]) => self.row_of(matrix, place),
-            ("column", [matrix, place]) => self.column_of(matrix, place),
-            ("submatrix", [matrix, rows, columns]) => self.submatrix(matrix, rows, columns, span),
-            _ => {
-                let (wanted, given) = (arity(name), arguments.len());
-                Err(argument_count(function, wanted, given, usage(name), span))
+            BuiltIn::Solution(matrix, right) => self.solution(matrix, right, span),
+            BuiltIn::Kernel(matrix) => self.kernel(matrix, span),
+            BuiltIn::Transpose(matrix) => Ok(self.value(matrix)?.transpose()),
+            BuiltIn::Trace(matrix) => self.trace(matrix, span),
+            BuiltIn::Diagonal(entries) => self.diagonal(entries, span),
+            BuiltIn::Identity(size) => Ok(identity(self.positive(size)?)),
+            BuiltIn::Zero(rows, columns) => self.zero_matrix(rows, columns),
+            BuiltIn::Row(matrix, place) => self.row_of(matrix, place),
+            BuiltIn::Column(matrix, place) => self.column_of(matrix, place),
+            BuiltIn::Submatrix(matrix, rows, columns) => {
+                self.submatrix(matrix, rows, columns, span)
             }
         }
     }
@@ -93,9 +101,9 @@ impl Elaborator {
             .scope
             .entries()
             .map(|entry| entry.name.unicode.as_str());
-        let help = match nearest(&function.unicode, functions.chain(NAMES)) {
+        let help = match nearest(&function.unicode, functions.chain(names())) {
             Some(near) => format!("did you mean `{near}`?"),
-            None => format!("there are {}", NAMES.join(", ")),
+            None => format!("there are {}", names().collect::<Vec<_>>().join(", ")),
         };
         let message = format!("`{function}` is not a function known here");
         Diagnostic::new(DiagnosticKind::UnknownName, span.clone(), message)

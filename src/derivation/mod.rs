@@ -10,3 +10,4 @@ pub mod matching;
 pub mod presentation;
 pub mod quantity;
 pub mod scope;
+mod system;

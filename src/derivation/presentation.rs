@@ -18,47 +18,6 @@ const MOST_TERMS_TO_FACTOR: usize = 400;
 /// Longer sums are written in groups of this many terms.
 const LONGEST_SUM: usize = 200;
 
-impl Expression {
-    /// An expression that stands in no document.
-    pub fn made(node: Node) -> Self {
-        Expression { node, span: 0..0 }
-    }
-
-    /// A number.
-    pub fn number(number: Rational) -> Self {
-        if number < Rational::ZERO {
-            let size = Expression::number(-number);
-            return Expression::made(Node::Negative(Box::new(size)));
-        }
-        if number.is_int() {
-            return Expression::made(Node::Number(number));
-        }
-        let (above, below) = number.into_parts();
-        let above = Expression::made(Node::Number(Rational::from(above)));
-        let below = Expression::made(Node::Number(Rational::from(below)));
-        Expression::binary(BinaryOperator::Divide, above, below)
-    }
-
-    /// A name.
-    pub fn name(name: Name) -> Self {
-        Expression::made(Node::Name(name))
-    }
-
-    /// Two expressions with an operator between them.
-    pub fn binary(operator: BinaryOperator, left: Expression, right: Expression) -> Self {
-        Expression::made(Node::Binary(operator, Box::new(left), Box::new(right)))
-    }
-
-    /// A call.
-    pub fn call(function: Name, order: u32, arguments: Vec<Expression>) -> Self {
-        Expression::made(Node::Call {
-            function,
-            order,
-            arguments,
-        })
-    }
-}
-
 /// Writes elements of a ring with the names of a scope.
 pub struct Presenter<'a> {
     /// The ring.

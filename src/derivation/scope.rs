@@ -7,6 +7,7 @@ use crate::algebra::symbol::Symbol;
 
 use super::condition::Conditions;
 use super::quantity::{Quantity, Value};
+use crate::language::built_in::{self, is_built_in};
 use crate::language::diagnostic::{Diagnostic, DiagnosticKind, nearest};
 use crate::language::name::skeleton::skeleton;
 use crate::language::syntax::{Expression, Name, Replacement, Span, Spanned};
@@ -124,7 +125,7 @@ impl Scope {
                 .with_label("declared again")
                 .with_help("choose another name: a name means one thing in a document")
         };
-        if crate::language::built_in::NAMES.contains(&name.value.ascii.as_str()) {
+        if is_built_in(&name.value.ascii) {
             let message = format!("`{}` is the name of a built-in function", name.value);
             return Err(duplicate(message).with_label("taken"));
         }
@@ -224,7 +225,7 @@ impl Scope {
                 .entries
                 .values()
                 .flat_map(|entry| [entry.name.ascii.as_str(), entry.name.unicode.as_str()]);
-            let candidates = known.chain(crate::language::built_in::NAMES);
+            let candidates = known.chain(built_in::names());
             let look = skeleton(&name.unicode);
             let mut entries = self.entries.values();
             let alike = entries.find(|entry| skeleton(&entry.name.unicode) == look);

@@ -2,6 +2,8 @@
 
 mod excerpt;
 
+use std::fmt;
+
 use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
 
 use super::line_end::unified;
@@ -100,6 +102,19 @@ pub struct Diagnostic {
     /// Other places that have to do with it.
     pub secondary: Vec<(Span, String)>,
 }
+
+impl fmt::Display for Diagnostic {
+    /// What is wrong and what to do about it, without the place, which [`render`] shows.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.message)?;
+        match &self.help {
+            Some(help) => write!(formatter, " ({help})"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl std::error::Error for Diagnostic {}
 
 impl Diagnostic {
     /// A mistake at a place.

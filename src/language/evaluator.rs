@@ -2,7 +2,8 @@
 
 use super::diagnostic::{Diagnostic, DiagnosticKind, nearest};
 use super::syntax::{
-    EvaluatorBody, Expression, Label, Name, Node, Relation, Span, Spanned, Statement, StatementKind,
+    Approximated, EvaluatorBody, Expression, Label, Name, Node, Relation, Span, Spanned, Statement,
+    StatementKind,
 };
 
 /// Something to compile: named outputs, each an expression of the document.
@@ -16,6 +17,8 @@ pub struct Evaluator {
     pub description: Option<String>,
     /// What it computes.
     pub outputs: Vec<Output>,
+    /// What its outputs are close to, if the document says so.
+    pub approximated: Option<Approximated>,
     /// Where that means something, beyond what its outputs themselves need.
     pub conditions: Vec<Relation>,
     /// Where the document asks for it.
@@ -45,21 +48,13 @@ impl Evaluator {
             label,
             name,
             body,
+            approximated,
             conditions,
             description,
         } = &statement.kind
         else {
             return Ok(None);
         };
-        if let Some(earlier) = known.iter().find(|earlier| earlier.name == name.value) {
-            let message = format!("two evaluators are called `{}`", name.value);
-            return Err(
-                Diagnostic::new(DiagnosticKind::Duplicate, name.span.clone(), message)
-                    .with_label("the same name again")
-                    .with_secondary(earlier.span.clone(), "the first one")
-                    .with_help("give each evaluator a name of its own"),
-            );
-        }
         let mut outputs: Vec<Output> = Vec::new();
         for (name, expression) in written_outputs(body, known)? {
             if outputs.iter().any(|output| output.name == name.value) {
@@ -80,6 +75,7 @@ impl Evaluator {
             name: name.value.clone(),
             description: description.clone(),
             outputs,
+            approximated: approximated.clone(),
             conditions: inherited(body, known)
                 .chain(conditions.iter().cloned())
                 .collect(),
@@ -102,10 +98,7 @@ fn inherited<'a>(
         Some((found, place))
     });
     general.into_iter().flat_map(|(general, place)| {
-        let at = |side: &Expression| Expression {
-            node: Node::At(Box::new(side.clone()), place.clone()),
-            span: side.span.clone(),
-        };
+        let at = |side: &Expression| side.clone().at(place.clone());
         general.conditions.iter().map(move |condition| Relation {
             left: at(&condition.left),
             comparison: condition.comparison,

@@ -167,7 +167,7 @@ impl Cursor<'_> {
         Ok(tree)
     }
 
-    fn place(&mut self) -> Parsed<(Place, usize)> {
+    pub(super) fn place(&mut self) -> Parsed<(Place, usize)> {
         let Some(open) = self.accept(TokenKind::OpenRound) else {
             let what = "the name of a substitution, or `(x = …)`";
             let help = "write the replacements in brackets, `at (x = 0)`, or name a `substitution`";

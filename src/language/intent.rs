@@ -18,7 +18,7 @@ const DECLARING: [&str; 6] = [
     "imaginary",
 ];
 /// The words behind which one name stands, perhaps behind a label.
-const NAMING: [&str; 3] = ["substitution", "match", "evaluator"];
+const NAMING: [&str; 2] = ["substitution", "match"];
 /// The words of statements that declare nothing and assume nothing.
 const SILENT: [&str; 6] = [
     "claim",
@@ -36,8 +36,8 @@ pub struct Intent {
     pub declares: Vec<Name>,
     /// Whether these take arguments.
     pub is_template: bool,
-    /// The evaluator that it asks for.
-    pub evaluator: Option<Name>,
+    /// The evaluator or the system that it asks for.
+    pub compiled: Option<Name>,
     /// What it may declare beside.
     pub may_declare: MayDeclare,
     /// Whether it assumes something, or may do so.
@@ -101,7 +101,8 @@ impl Intent {
                 intent.is_template = !arguments.is_empty();
             }
             StatementKind::Match(matching) => intent.declares = vec![matching.name.value.clone()],
-            StatementKind::Evaluator { name, .. } => intent.evaluator = Some(name.value.clone()),
+            StatementKind::System(system) => intent.compiled = Some(system.name.value.clone()),
+            StatementKind::Evaluator { name, .. } => intent.compiled = Some(name.value.clone()),
             StatementKind::Assume { .. } => intent.may_assume = true,
             StatementKind::Assertion { .. }
             | StatementKind::Eigenpair { .. }
@@ -128,7 +129,7 @@ impl Intent {
         match keyword {
             Some("assume") => intent.may_assume = true,
             Some("import") => intent = Intent::anything(),
-            Some("evaluator") => intent.evaluator = words.named(),
+            Some("system" | "evaluator") => intent.compiled = words.named(),
             Some(keyword) if DECLARING.contains(&keyword) => {
                 intent.declares = words.declared();
                 // The other words are units, but for the argument of a function.

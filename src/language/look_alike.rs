@@ -6,7 +6,7 @@ use super::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
 use super::line_end::unified;
 use super::name::skeleton::looks;
 use super::syntax::{EvaluatorBody, Name, Span, Spanned, Statement, StatementKind};
-use crate::language::built_in::NAMES;
+use crate::language::built_in::is_built_in;
 
 /// The names that documents declare, by what they look like.
 #[derive(Clone, Debug, Default)]
@@ -55,7 +55,7 @@ impl Looks {
         };
         let mut error = None;
         for look in looks(&name.value) {
-            if NAMES.contains(&look.as_str()) && look != name.value.ascii {
+            if is_built_in(&look) && look != name.value.ascii {
                 error.get_or_insert_with(|| taken_for_built_in(name, &look));
             }
             let known = self.by_skeleton.entry(look).or_insert_with(|| own.clone());
@@ -88,7 +88,7 @@ impl Looks {
             error = Some(same_print(name, known, &known.name.ascii, &name.value));
         }
         let printed = format!("d{ascii}");
-        if NAMES.contains(&printed.as_str()) {
+        if is_built_in(&printed) {
             error = Some(prints_as_built_in(name, &printed));
         }
         self.functions.entry(ascii.clone()).or_insert(own);
@@ -138,6 +138,7 @@ fn declared(statement: &Statement) -> Vec<&Spanned<Name>> {
         } => names.iter().chain(arguments).collect(),
         StatementKind::Imaginary { name } | StatementKind::Substitution { name, .. } => vec![name],
         StatementKind::Match(matching) => vec![&matching.name],
+        StatementKind::System(system) => vec![&system.name],
         StatementKind::Evaluator { name, body, .. } => match body {
             EvaluatorBody::Outputs(outputs) => {
                 let outputs = outputs.iter().map(|(output, _)| output);

@@ -2,7 +2,7 @@
 
 use super::syntax::{
     EvaluatorBody, Expression, Name, Node, Place, Relation, Replacement, Spanned, Statement,
-    StatementKind,
+    StatementKind, SystemBody,
 };
 
 /// A name that is mentioned.
@@ -24,7 +24,7 @@ impl Mention {
 }
 
 impl Statement {
-    /// The names that it builds on, in their order; those of evaluators are none of them.
+    /// The names that it builds on, in their order; those of evaluators and systems are none of them.
     pub fn mentions(&self) -> Vec<Mention> {
         let mut found = Vec::new();
         match &self.kind {
@@ -65,9 +65,34 @@ impl Statement {
                 found.extend(names.map(|name| Mention::bare(&name.value)));
                 of_all(&matching.neglected, &mut found);
             }
+            StatementKind::System(system) => {
+                let coordinates = system.coordinates.iter();
+                found.extend(coordinates.map(|name| Mention::bare(&name.value)));
+                match &system.body {
+                    SystemBody::Matrices {
+                        mass,
+                        damping,
+                        stiffness,
+                    } => {
+                        let parts = damping.iter().chain(stiffness).map(|part| &part.matrix);
+                        of_all([mass].into_iter().chain(parts), &mut found);
+                    }
+                    SystemBody::Equations { equations, rest } => {
+                        equations.collect_mentions(&mut found);
+                        of_place(rest, &mut found);
+                    }
+                }
+            }
             StatementKind::Evaluator {
-                body, conditions, ..
+                body,
+                approximated,
+                conditions,
+                ..
             } => {
+                let place = approximated.as_ref().and_then(|own| own.place.as_ref());
+                place
+                    .into_iter()
+                    .for_each(|place| of_place(place, &mut found));
                 match body {
                     EvaluatorBody::Outputs(outputs) => {
                         of_all(outputs.iter().map(|(_, value)| value), &mut found);
@@ -82,15 +107,21 @@ impl Statement {
         found
     }
 
-    /// The evaluator that it is a special case of.
-    pub fn general_evaluator(&self) -> Option<&Spanned<Name>> {
-        match &self.kind {
+    /// The evaluator that it is a special case of, and the system that it approximates.
+    pub fn compiled_bases(&self) -> impl Iterator<Item = &Spanned<Name>> {
+        let (general, system) = match &self.kind {
             StatementKind::Evaluator {
-                body: EvaluatorBody::Special { general, .. },
-                ..
-            } => Some(general),
-            _ => None,
-        }
+                body, approximated, ..
+            } => {
+                let general = match body {
+                    EvaluatorBody::Special { general, .. } => Some(general),
+                    EvaluatorBody::Outputs(_) => None,
+                };
+                (general, approximated.as_ref().map(|own| &own.system))
+            }
+            _ => (None, None),
+        };
+        general.into_iter().chain(system)
     }
 }
 

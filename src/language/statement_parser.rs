@@ -13,7 +13,7 @@ use super::syntax::{
 use crate::algebra::number::Rational;
 
 /// The words a statement can begin with; anywhere else they are names like others.
-const KEYWORDS: [&str; 17] = [
+const KEYWORDS: [&str; 18] = [
     "parameter",
     "complex",
     "angle",
@@ -28,6 +28,7 @@ const KEYWORDS: [&str; 17] = [
     "ill-formed",
     "eigenpair",
     "match",
+    "system",
     "evaluator",
     "domain",
     "import",
@@ -92,6 +93,7 @@ impl Cursor<'_> {
             "approximate" => |cursor| cursor.assertion(Expectation::Approximate),
             "eigenpair" => Self::eigenpair,
             "match" => Self::matching,
+            "system" => Self::system,
             "evaluator" => Self::evaluator,
             "domain" => |cursor| Ok(StatementKind::Domain(cursor.replacements()?)),
             "import" => Self::import,
@@ -286,6 +288,7 @@ impl Cursor<'_> {
             Some(TokenKind::Equals) => self.outputs()?,
             _ => self.special_evaluator()?,
         };
+        let approximated = self.approximated()?;
         let mut conditions = Vec::new();
         if self.accept_word("where") {
             conditions.push(self.relation("`<`, `<=`, `>` or `>=`")?);
@@ -299,6 +302,7 @@ impl Cursor<'_> {
             label,
             name,
             body,
+            approximated,
             conditions,
             description,
         })
@@ -364,7 +368,7 @@ impl Cursor<'_> {
         colon.map(|_| ()).map_err(|error| error.or_help(help))
     }
 
-    fn expect_behind_expression(&mut self, kind: TokenKind, what: &str) -> Parsed<()> {
+    pub(super) fn expect_behind_expression(&mut self, kind: TokenKind, what: &str) -> Parsed<()> {
         match self.accept(kind) {
             Some(_) => Ok(()),
             None => Err(self.expected_after_operand(what)),

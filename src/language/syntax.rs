@@ -355,13 +355,83 @@ pub enum StatementKind {
         name: Spanned<Name>,
         /// What it computes.
         body: EvaluatorBody,
+        /// What that is close to: `approximates real parts of section at tuned`.
+        approximated: Option<Approximated>,
         /// Where that means something: `where L_g > 0`.
         conditions: Vec<Relation>,
         /// In words.
         description: Option<String>,
     },
+    /// `system (9) section: mass M damping structural = C_s, wind = C_a stiffness K in x, y, θ "…"`, or
+    /// `system (9) section: equations [F_x; F_y] in x, y at rest "…"`
+    System(Box<SystemStatement>),
     /// `domain m = [1, 50], U = [5, 40]`
     Domain(Vec<Replacement>),
+}
+
+/// Equations of motion that are to be computed.
+#[derive(Clone, Debug)]
+pub struct SystemStatement {
+    /// How it is called in reports.
+    pub label: Label,
+    /// How it is called in commands.
+    pub name: Spanned<Name>,
+    /// What gives the matrices.
+    pub body: SystemBody,
+    /// The coordinates, in order.
+    pub coordinates: Vec<Spanned<Name>>,
+    /// In words.
+    pub description: Option<String>,
+}
+
+/// What gives the matrices M, C and K of M q̈ + C q̇ + K q = 0.
+#[derive(Clone, Debug)]
+pub enum SystemBody {
+    /// The matrices.
+    Matrices {
+        /// M
+        mass: Expression,
+        /// What C is the sum of; nothing for 0.
+        damping: Vec<Part>,
+        /// What K is the sum of.
+        stiffness: Vec<Part>,
+    },
+    /// A column that is 0 as the coordinates move, linear in small motions about a state of rest.
+    Equations {
+        /// The column.
+        equations: Expression,
+        /// The state of rest.
+        rest: Place,
+    },
+}
+
+/// A part of a matrix.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// How it is called, if it has a name.
+    pub name: Option<Spanned<Name>>,
+    /// What it is.
+    pub matrix: Expression,
+}
+
+/// What an evaluator approximates.
+#[derive(Clone, Debug)]
+pub struct Approximated {
+    /// Which numbers of the system its outputs are close to.
+    pub quantities: Quantities,
+    /// The system.
+    pub system: Spanned<Name>,
+    /// What is replaced in the system.
+    pub place: Option<Place>,
+}
+
+/// Numbers that a system has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantities {
+    /// The real parts of its eigenvalues, one of each pair of conjugates.
+    RealParts,
+    /// Its eigenvalues with positive imaginary parts: as many real parts, and then the imaginary parts.
+    Eigenvalues,
 }
 
 /// What an evaluator computes.

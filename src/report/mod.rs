@@ -5,6 +5,8 @@
 //! Curves are rows of a table and figures as well.
 
 #[cfg(feature = "stability")]
+pub mod closeness;
+#[cfg(feature = "stability")]
 pub mod csv;
 pub mod details;
 pub mod evaluation;

@@ -1,13 +1,15 @@
-//! The modes of one section by one method.
+//! The modes of a section or a system by one method.
 
 use num_complex::Complex;
 
 use crate::stability::coordinate::Coordinate;
 use crate::stability::verdict::Verdict;
 
-/// What a method says of a section.
+/// What a method says of a section or a system.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModesFound {
+    /// What has the modes: `section`, or `system`.
+    pub what: &'static str,
     /// The method that found them: `closed`, `uniform`, `exact`, `companion`, `state`.
     pub method: &'static str,
     /// Whether eigenvalues are those of a formula, and their errors what it leaves out; else they are exact
@@ -17,7 +19,7 @@ pub struct ModesFound {
     pub modes: Vec<ModeFound>,
     /// S_3D, with a bound of its error if the method gives one; `None` without wind.
     pub damping_coefficient: Option<(f64, Option<f64>)>,
-    /// Whether the section is stable, with proof, by whichever method the modes are found.
+    /// Whether it is stable, with proof, by whichever method the modes are found.
     pub verdict: Verdict,
     /// Whether it diverges, with proof: else what grows gallops.
     pub diverges: bool,
@@ -36,8 +38,34 @@ pub struct ModeFound {
     pub shape: Option<Shape>,
 }
 
-/// The entries of a mode shape, the largest of them 1; `None` if there is none in doubles.
-pub type Shape = Option<Vec<(Coordinate, Complex<f64>)>>;
+/// The entries of a mode shape, the largest of them 1; `None` if there is none that is certain.
+pub type Shape = Option<Vec<Moving>>;
+
+/// How far a coordinate moves, and how far it is ahead.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moving {
+    /// The coordinate as a person reads it: `rθ`.
+    pub shown: String,
+    /// The coordinate as a program reads it: `r_theta`.
+    pub name: String,
+    /// Its entry of the shape.
+    pub entry: Complex<f64>,
+}
+
+impl Moving {
+    /// A coordinate of a section as a length.
+    pub fn of_section(coordinate: Coordinate, entry: Complex<f64>) -> Self {
+        let name = match coordinate {
+            Coordinate::X | Coordinate::Y => coordinate.name(),
+            Coordinate::Theta => "r_theta",
+        };
+        Moving {
+            shown: length(coordinate).to_string(),
+            name: name.to_string(),
+            entry,
+        }
+    }
+}
 
 /// A coordinate as a length, as mode shapes have it: the turn θ counts as rθ.
 pub fn length(coordinate: Coordinate) -> &'static str {

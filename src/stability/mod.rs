@@ -7,6 +7,7 @@ mod ball;
 mod bernstein;
 pub mod case;
 pub mod closed_form;
+pub mod closeness;
 pub mod coefficient_table;
 pub mod companion;
 pub mod comparison;

@@ -1,5 +1,6 @@
 //! A document, read from its first statement to its last.
 
+mod compiled;
 mod declaration;
 mod import;
 mod judgement;
@@ -7,17 +8,19 @@ mod reader;
 mod refusal;
 
 use std::collections::BTreeSet;
+use std::fmt;
 
 use super::claim::Claim;
 use super::explanation::Explanation;
 use crate::derivation::domain::Domain;
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::matching::Matched;
-use crate::language::diagnostic::{Diagnostic, SourceFile};
+use crate::language::diagnostic::{Diagnostic, SourceFile, render};
 use crate::language::evaluator::Evaluator;
 use crate::language::mention::Mention;
 use crate::language::name::Aliases;
 use crate::language::syntax::{Name, Relation, Sign, Span};
+use crate::language::system::System;
 
 use judgement::FailedMatchings;
 use reader::Reader;
@@ -51,6 +54,8 @@ pub struct Audit {
     pub matchings: Vec<Matched>,
     /// What it wants compiled itself, in order.
     pub evaluators: Vec<Evaluator>,
+    /// The systems that it wants computed itself, in order.
+    pub systems: Vec<System>,
     /// Where its quantities lie in practice.
     pub domain: Domain,
     /// What it and its imports assume beside the signs of quantities, in order.
@@ -69,6 +74,8 @@ pub struct Audit {
     aliases: Aliases,
     /// What it and its imports want compiled.
     all_evaluators: Vec<Evaluator>,
+    /// The systems that it and its imports want computed, in order.
+    pub all_systems: Vec<System>,
     /// Of it and its imports: what has no meaning, as far as reading tells.
     refusals: Refusals,
     /// The imports of which nothing could be read.
@@ -187,6 +194,16 @@ pub struct Rejected {
     pub diagnostics: Vec<Diagnostic>,
 }
 
+impl fmt::Display for Rejected {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let shown = self.diagnostics.iter();
+        let shown: Vec<String> = shown.map(|own| render(own, &self.source, false)).collect();
+        formatter.write_str(shown.concat().trim_end())
+    }
+}
+
+impl std::error::Error for Rejected {}
+
 /// Reads a document and gives the verdict on each of its assertions; a mistake costs the statement in
 /// which it is, and what builds on that.
 ///
@@ -227,6 +244,7 @@ pub fn audit_after(
         claims,
         matchings: read.matchings,
         evaluators: read.evaluators,
+        systems: read.systems,
         mistakes: in_order(reader.refusals.mistakes, &reader.finished),
         skipped: read.skipped,
         sources: reader.finished,
@@ -237,6 +255,7 @@ pub fn audit_after(
         elaborator: reader.elaborator,
         aliases: reader.aliases,
         all_evaluators: reader.evaluators,
+        all_systems: reader.systems,
         refusals,
         unreadable: reader.unreadable,
         was_read_again: !failed.is_empty(),

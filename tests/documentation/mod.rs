@@ -10,7 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use sextic::language::built_in::NAMES;
+use sextic::language::built_in::names;
 use sextic::language::diagnostic::SourceFile;
 use sextic::language::document::parse_document;
 use sextic::language::expression_parser::parse_expression;
@@ -116,7 +116,7 @@ fn the_table_of_functions_names_all() {
         .iter()
         .map(|call| call.split('(').next().unwrap_or_default())
         .collect();
-    let mut all = NAMES.to_vec();
+    let mut all: Vec<&str> = names().collect();
     named.sort_unstable();
     all.sort_unstable();
     assert_eq!(named, all);

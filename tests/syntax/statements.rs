@@ -5,7 +5,8 @@ use sextic::language::document::{Document, parse_document, parse_document_with};
 use sextic::language::markdown::blocks;
 use sextic::language::notation::Notation;
 use sextic::language::syntax::{
-    EvaluatorBody, Expression, Label, Name, Replacement, Spanned, Statement, StatementKind,
+    EvaluatorBody, Expression, Label, Name, Part, Replacement, Spanned, Statement, StatementKind,
+    SystemBody,
 };
 
 fn document(text: &str) -> Document {
@@ -108,9 +109,18 @@ fn summary(statement: &Statement) -> String {
             label: called,
             name,
             body,
+            approximated,
             conditions,
             description,
         } => {
+            let approximated = approximated.as_ref().map(|own| {
+                format!(
+                    " approximates {:?} of {}{}",
+                    own.quantities,
+                    own.system.value.ascii,
+                    own.place.as_ref().map_or("", |_| " at a place")
+                )
+            });
             let conditions: Vec<String> = conditions
                 .iter()
                 .map(|condition| format!(" where {}", Notation::Ascii.relation(condition)))
@@ -128,8 +138,35 @@ fn summary(statement: &Statement) -> String {
                 }
             };
             let (label, name) = (label(called), &name.value.ascii);
-            let conditions = conditions.concat();
+            let conditions = approximated.unwrap_or_default() + &conditions.concat();
             format!("evaluator {label} | {name} | {body}{conditions} | {description:?}")
+        }
+        StatementKind::System(system) => {
+            let part = |part: &Part| {
+                let name = part.name.as_ref();
+                let name = name.map(|name| format!("{} = ", name.value.ascii));
+                name.unwrap_or_default() + &Notation::Ascii.expression(&part.matrix)
+            };
+            let parts = |all: &[Part]| all.iter().map(part).collect::<Vec<_>>().join(", ");
+            let body = match &system.body {
+                SystemBody::Matrices {
+                    mass,
+                    damping,
+                    stiffness,
+                } => format!(
+                    "{} | {} | {}",
+                    Notation::Ascii.expression(mass),
+                    parts(damping),
+                    parts(stiffness)
+                ),
+                SystemBody::Equations { equations, .. } => {
+                    format!("equations {}", Notation::Ascii.expression(equations))
+                }
+            };
+            let (label, name) = (label(&system.label), &system.name.value.ascii);
+            let coordinates = names(&system.coordinates);
+            let description = &system.description;
+            format!("system {label} | {name} | {body} | {coordinates} | {description:?}")
         }
         StatementKind::Imaginary { name } => format!("imaginary {}", name.value.ascii),
         StatementKind::Assume {
@@ -213,6 +250,26 @@ fn summary(statement: &Statement) -> String {
 fn every_form_says_what_it_says() {
     for (text, expected) in [
         (r#"import "other.md""#, "import other.md"),
+        (
+            r#"system (9) section: mass M damping structural = C_s, wind = C_a stiffness K in x, y "two""#,
+            r#"system (9) | section | M | structural = C_s, wind = C_a | K | x y | Some("two")"#,
+        ),
+        (
+            "system [a] one: mass m stiffness k + l in x",
+            "system [a] | one | m |  | k + l | x | None",
+        ),
+        (
+            "system (9) section: equations [F; G] in x, y at rest",
+            "system (9) | section | equations [F; G] | x y | None",
+        ),
+        (
+            "evaluator (21) f: r = a, s = b approximates real parts of section at (x = 1) where a > 0",
+            "evaluator (21) | f | r = a, s = b approximates RealParts of section at a place where a > 0 | None",
+        ),
+        (
+            "evaluator (21) f: e at p approximates eigenvalues of section",
+            "evaluator (21) | f | special e approximates Eigenvalues of section | None",
+        ),
         (
             r#"parameter m : kg/m > 0 "mass per unit length""#,
             r#"parameter m | kg/m | Some(Positive) | Some("mass per unit length")"#,

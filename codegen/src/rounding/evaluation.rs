@@ -1,10 +1,13 @@
 //! A program run in doubles, and over the rationals.
 
+use std::collections::BTreeMap;
+
 use dashu_base::{BitTest, Sign, SquareRootRem};
 use dashu_int::UBig;
 use dashu_ratio::Relaxed;
 
-use crate::language::literal::Literal;
+use crate::evaluator::{Circular, Evaluator, Function, Input, Origin};
+use crate::language::literal::{Decimal, Literal};
 use crate::program::{Node, Operation, Program, Rational};
 
 /// The outputs in doubles, bit for bit as the strict text gives them.
@@ -17,6 +20,32 @@ use crate::program::{Node, Operation, Program, Rational};
 pub fn evaluate(program: &Program, inputs: &[f64]) -> Option<Vec<f64>> {
     let doubles = Doubles::new(program)?;
     Some(doubles.outputs(&doubles.values(inputs)))
+}
+
+/// The outputs of an evaluator in doubles, for its quantities by name: inputs, and angles in radians rather
+/// than their sines and cosines. Those that are fixed are not asked for.
+///
+/// None if a quantity is missing, or a number is beyond the doubles.
+pub fn evaluate_at(evaluator: &Evaluator, values: &BTreeMap<String, f64>) -> Option<Vec<f64>> {
+    let inputs = evaluator.inputs.iter().map(|input| input_at(input, values));
+    evaluate(&evaluator.program, &inputs.collect::<Option<Vec<f64>>>()?)
+}
+
+fn input_at(input: &Input, values: &BTreeMap<String, f64>) -> Option<f64> {
+    match &input.origin {
+        Origin::Given => values.get(&input.quantity.name).copied(),
+        Origin::Circular(Circular { function, angle }) => {
+            let mut sum = 0.0;
+            for (count, name) in angle {
+                sum += f64::from(*count) * values.get(name)?;
+            }
+            Some(match function {
+                Function::Cosine => sum.cos(),
+                Function::Sine => sum.sin(),
+            })
+        }
+        Origin::Fixed(fixed) => Decimal::nearest(&fixed.value).map(|number| number.value),
+    }
 }
 
 /// The outputs over the rationals; none where a divisor is 0 or a root is not rational.

@@ -8,6 +8,7 @@ use sextic_codegen::program::{Operation, Program};
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::determinant::determinant;
 use crate::algebra::matrix::Matrix;
+use crate::language::built_in::{BuiltIn, Declared};
 use crate::language::syntax::Expression;
 
 use super::{Context, Obstacle, Polynomial, Table, Translator, divisor, scalar};
@@ -153,19 +154,20 @@ impl Translator<'_> {
         arguments: &[Expression],
         context: Context,
     ) -> Result<Table, Obstacle> {
-        match (function, arguments) {
-            ("sqrt", [square]) => {
+        let call = Declared::of(function).and_then(|declared| declared.call(arguments));
+        match call.ok_or(Obstacle::Structure)? {
+            BuiltIn::Root(square) => {
                 let square = self.single(square, context)?;
                 let square = divisor(&square)?;
                 let root = self.program.push(Operation::SquareRoot(square));
                 Ok(scalar(Polynomial::monomial(0, root)))
             }
-            ("det", [matrix]) => {
+            BuiltIn::Determinant(matrix) => {
                 let matrix = self.table(matrix, context)?;
                 self.determinant(&matrix)
             }
-            ("transpose", [matrix]) => Ok(self.table(matrix, context)?.transpose()),
-            ("trace", [matrix]) => {
+            BuiltIn::Transpose(matrix) => Ok(self.table(matrix, context)?.transpose()),
+            BuiltIn::Trace(matrix) => {
                 let matrix = self.table(matrix, context)?;
                 let values = self.values();
                 let mut diagonal =
@@ -174,7 +176,7 @@ impl Translator<'_> {
                     diagonal.try_fold(values.zero(), |sum, entry| values.sum(&sum, entry));
                 Ok(scalar(trace))
             }
-            ("diagonal", entries) => {
+            BuiltIn::Diagonal(entries) => {
                 let mut diagonal = Vec::new();
                 for entry in entries {
                     diagonal.push(self.single(entry, context)?);
@@ -187,14 +189,14 @@ impl Translator<'_> {
                     }
                 }))
             }
-            ("coefficient", [polynomial, variable, power]) => {
+            BuiltIn::Coefficient(polynomial, variable, power) => {
                 let power = self.natural(power, context)? as u32;
                 let inside = self.with_variable(variable, context)?;
                 let coefficient = self.single(polynomial, inside)?.coefficient(power);
                 let coefficient = coefficient.map(|node| Polynomial::monomial(0, node));
                 Ok(scalar(coefficient.unwrap_or_default()))
             }
-            ("hurwitz", [polynomial, variable, size]) => {
+            BuiltIn::Hurwitz(polynomial, variable, size) => {
                 let size = self.natural(size, context)?;
                 let inside = self.with_variable(variable, context)?;
                 let polynomial = self.single(polynomial, inside)?;
@@ -203,7 +205,20 @@ impl Translator<'_> {
                 }
                 self.determinant(&hurwitz_matrix(&polynomial, size))
             }
-            _ => Err(Obstacle::Structure),
+            BuiltIn::Circular(..)
+            | BuiltIn::Direction(..)
+            | BuiltIn::Rate(_)
+            | BuiltIn::Jacobian(..)
+            | BuiltIn::Inverse(_)
+            | BuiltIn::Adjugate(_)
+            | BuiltIn::Identity(_)
+            | BuiltIn::Zero(..)
+            | BuiltIn::Row(..)
+            | BuiltIn::Column(..)
+            | BuiltIn::Submatrix(..)
+            | BuiltIn::Kernel(_)
+            | BuiltIn::Solution(..)
+            | BuiltIn::Truncation(..) => Err(Obstacle::Structure),
         }
     }
 

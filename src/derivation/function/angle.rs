@@ -6,6 +6,7 @@ use crate::algebra::fraction::Fraction;
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::elaboration::error::{algebra, quantity, units};
 use crate::derivation::quantity::{Quantities, Quantity, Value};
+use crate::language::built_in::Circular;
 use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::language::notation::Notation;
 use crate::language::syntax::{Expression, Span};
@@ -15,7 +16,7 @@ impl Elaborator {
     /// The sine, cosine, tangent or cotangent of an angle.
     pub(super) fn circular(
         &mut self,
-        function: &str,
+        function: Circular,
         argument: &Expression,
         span: &Span,
     ) -> Result<Value, Diagnostic> {
@@ -33,10 +34,10 @@ impl Elaborator {
             .cosine_and_sine(&angle)
             .map_err(|error| algebra(error, span))?;
         let (above, below) = match function {
-            "sin" => return Ok(Quantity::new(sine, Unit::one()).scalar()),
-            "cos" => return Ok(Quantity::new(cosine, Unit::one()).scalar()),
-            "tan" => (sine, cosine),
-            _ => (cosine, sine),
+            Circular::Sine => return Ok(Quantity::new(sine, Unit::one()).scalar()),
+            Circular::Cosine => return Ok(Quantity::new(cosine, Unit::one()).scalar()),
+            Circular::Tangent => (sine, cosine),
+            Circular::Cotangent => (cosine, sine),
         };
         let above = Quantity::new(above, Unit::one()).scalar();
         self.divide(&above, &Quantity::new(below, Unit::one()), span)

@@ -13,7 +13,7 @@ use crate::language::syntax::Span;
 const ASSERTIONS: [&str; 5] = ["claim", "refute", "approximate", "ill-formed", "eigenpair"];
 
 /// The words that do so before a label and a name: other languages have them too.
-const NAMED: [&str; 2] = ["match", "evaluator"];
+const NAMED: [&str; 3] = ["match", "system", "evaluator"];
 
 /// What may stand before an assertion as it does before one of several.
 const MARKS: &str = ">-+*";

@@ -4,12 +4,10 @@ mod breaking;
 
 use super::{Notation, Strength, decimal, dotted, is_negative};
 use crate::algebra::number::Rational;
+use crate::language::built_in::{BuiltIn, Declared, Latex};
 use crate::language::name::greek::transliterate;
 use crate::language::syntax::{BinaryOperator, Expression, Name, Node, Place};
 use breaking::brackets;
-
-/// Functions that LaTeX has a command for.
-const COMMANDS: [&str; 5] = ["sin", "cos", "tan", "cot", "det"];
 
 pub(super) fn expression(expression: &Expression) -> String {
     match &expression.node {
@@ -134,7 +132,9 @@ fn power(base: &Expression, exponent: &str) -> String {
     } = &base.node
     {
         let is_plain = exponent.chars().all(|character| character.is_ascii_digit());
-        if is_plain && COMMANDS[..4].contains(&function.ascii.as_str()) {
+        let declared = Declared::of(&function.ascii);
+        let call = declared.and_then(|own| own.call(arguments));
+        if is_plain && matches!(call, Some(BuiltIn::Circular(..))) {
             return format!(
                 r"\{}^{{{exponent}}}{}",
                 function.ascii,
@@ -176,15 +176,15 @@ fn special(call: &Expression) -> Option<String> {
     else {
         return None;
     };
-    Some(match (function.ascii.as_str(), arguments.as_slice()) {
-        ("sqrt", [square]) => breaking::root(&expression(square)),
-        ("inverse", [matrix]) => power(matrix, "-1"),
-        ("transpose", [matrix]) => power(matrix, r"\mathsf{T}"),
-        ("dt", [quantity]) => format!(
+    let latex = Declared::of(&function.ascii)?.latex;
+    Some(match (latex, arguments.as_slice()) {
+        (Latex::Root, [square]) => breaking::root(&expression(square)),
+        (Latex::Exponent(above), [matrix]) => power(matrix, above),
+        (Latex::Rate, [quantity]) => format!(
             r"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}t}}{}",
             brackets(&expression(quantity))
         ),
-        ("d", [quantity, variable]) => {
+        (Latex::Partial, [quantity, variable]) => {
             let variable = expression(variable);
             match &quantity.node {
                 Node::Name(quantity) => {
@@ -206,7 +206,8 @@ fn special(call: &Expression) -> Option<String> {
 fn call(function: &Name, order: u32, arguments: &[Expression]) -> String {
     let ascii = function.ascii.as_str();
     let is_word = ascii.len() > 1 && function.unicode == ascii && !ascii.contains('_');
-    let written = if COMMANDS.contains(&ascii) {
+    let is_command = Declared::of(ascii).is_some_and(|own| own.latex == Latex::Command);
+    let written = if is_command {
         format!(r"\{ascii}")
     } else if is_word {
         format!(r"\mathrm{{{ascii}}}")

@@ -1,5 +1,6 @@
 //! The built-in functions of documents.
 
+use crate::language::built_in::{BuiltIn, Circular, Declared};
 use crate::language::syntax::{Expression, Node as Written};
 use crate::points::graph::Made;
 use crate::points::table::Table;
@@ -14,29 +15,30 @@ impl<'a> Unfolding<'a> {
         function: &str,
         arguments: &'a [Expression],
     ) -> Result<Table, Failure> {
-        match (function, arguments) {
-            ("sin" | "cos" | "tan" | "cot", [angle]) => {
+        let declared = Declared::of(function).ok_or(Unknown::Unsupported)?;
+        match declared.call(arguments).ok_or(Unknown::Unsupported)? {
+            BuiltIn::Circular(function, angle) => {
                 let angle = self.scalar(angle)?;
                 let (cosine, sine) = self.sheet.cosine_and_sine(angle)?;
                 Ok(Table::single(match function {
-                    "sin" => sine,
-                    "cos" => cosine,
-                    "tan" => self.sheet.graph.quotient(sine, cosine)?,
-                    _ => self.sheet.graph.quotient(cosine, sine)?,
+                    Circular::Sine => sine,
+                    Circular::Cosine => cosine,
+                    Circular::Tangent => self.sheet.graph.quotient(sine, cosine)?,
+                    Circular::Cotangent => self.sheet.graph.quotient(cosine, sine)?,
                 }))
             }
-            ("sqrt", [square]) => {
+            BuiltIn::Root(square) => {
                 let square = self.scalar(square)?;
                 Ok(Table::single(self.sheet.graph.root(square)?))
             }
-            ("angle", [x, y]) => {
+            BuiltIn::Direction(x, y) => {
                 let (x, y) = (self.scalar(x)?, self.scalar(y)?);
                 Ok(Table::single(self.sheet.direction(x, y)?))
             }
-            ("dt", [inner]) => self.rate(inner),
-            ("d", [value, variables]) => self.jacobian(value, variables),
-            ("truncate", [value, small, order]) => self.truncation(value, small, order),
-            ("coefficient", [polynomial, variable, power]) => {
+            BuiltIn::Rate(inner) => self.rate(inner),
+            BuiltIn::Jacobian(value, variables) => self.jacobian(value, variables),
+            BuiltIn::Truncation(value, small, order) => self.truncation(value, small, order),
+            BuiltIn::Coefficient(polynomial, variable, power) => {
                 let power = self.natural(power)?;
                 let variable = self.scalar(variable)?;
                 let variable = self.variable_of(variable)?;
@@ -46,11 +48,62 @@ impl<'a> Unfolding<'a> {
                     self.sheet.graph.guarded(coefficient, polynomial)?,
                 ))
             }
-            ("hurwitz", [polynomial, variable, size]) => {
+            BuiltIn::Hurwitz(polynomial, variable, size) => {
                 let size = self.natural(size)? as usize;
                 Ok(Table::single(self.hurwitz(polynomial, variable, size)?))
             }
-            _ => self.matrix_function(function, arguments),
+            BuiltIn::Row(matrix, row) => self.part(matrix, Some(row), None),
+            BuiltIn::Column(matrix, column) => self.part(matrix, None, Some(column)),
+            BuiltIn::Submatrix(matrix, rows, columns) => {
+                self.part(matrix, Some(rows), Some(columns))
+            }
+            BuiltIn::Determinant(matrix) => {
+                let matrix = self.table(matrix)?;
+                Ok(Table::single(self.sheet.determinant(&matrix)?))
+            }
+            BuiltIn::Adjugate(matrix) => {
+                let matrix = self.table(matrix)?;
+                self.sheet.adjugate(&matrix)
+            }
+            BuiltIn::Inverse(matrix) => {
+                let matrix = self.table(matrix)?;
+                let identity = self.sheet.identity(matrix.size()?)?;
+                self.sheet.solve(&matrix, &identity)
+            }
+            BuiltIn::Solution(matrix, right) => {
+                let (matrix, right) = (self.table(matrix)?, self.table(right)?);
+                self.sheet.solve(&matrix, &right)
+            }
+            BuiltIn::Kernel(matrix) => {
+                let matrix = self.table(matrix)?;
+                self.sheet.kernel(&matrix)
+            }
+            BuiltIn::Transpose(matrix) => self.table(matrix)?.transposed(),
+            BuiltIn::Trace(matrix) => {
+                let matrix = self.table(matrix)?;
+                let diagonal = (0..matrix.size()?).map(|place| matrix.get(place, place));
+                let diagonal: Vec<_> = diagonal.collect::<Result<_, _>>()?;
+                let trace = Table::single(self.sheet.total(diagonal)?);
+                self.sheet.of_whole(&trace, &matrix)
+            }
+            BuiltIn::Diagonal(entries) => {
+                let size = entries.len();
+                Table::made(size, size, |row, column| match row == column {
+                    true => self.scalar(&entries[row]),
+                    false => self.sheet.graph.integer(0),
+                })
+            }
+            BuiltIn::Identity(size) => {
+                let size = self.natural(size)? as usize;
+                self.sheet.identity(size)
+            }
+            BuiltIn::Zero(rows, columns) => {
+                let (rows, columns) = (
+                    self.natural(rows)? as usize,
+                    self.natural(columns)? as usize,
+                );
+                Table::made(rows, columns, |_, _| self.sheet.graph.integer(0))
+            }
         }
     }
 
@@ -77,77 +130,20 @@ impl<'a> Unfolding<'a> {
         self.sheet.graph.guarded(determinant, polynomial)
     }
 
-    fn matrix_function(
+    /// A part of a matrix: these rows and columns, or all.
+    fn part(
         &mut self,
-        function: &str,
-        arguments: &'a [Expression],
+        matrix: &'a Expression,
+        rows: Option<&'a Expression>,
+        columns: Option<&'a Expression>,
     ) -> Result<Table, Failure> {
-        match (function, arguments) {
-            ("det", [matrix]) => {
-                let matrix = self.table(matrix)?;
-                Ok(Table::single(self.sheet.determinant(&matrix)?))
-            }
-            ("adjugate", [matrix]) => {
-                let matrix = self.table(matrix)?;
-                self.sheet.adjugate(&matrix)
-            }
-            ("inverse", [matrix]) => {
-                let matrix = self.table(matrix)?;
-                let identity = self.sheet.identity(matrix.size()?)?;
-                self.sheet.solve(&matrix, &identity)
-            }
-            ("solve", [matrix, right]) => {
-                let (matrix, right) = (self.table(matrix)?, self.table(right)?);
-                self.sheet.solve(&matrix, &right)
-            }
-            ("kernel", [matrix]) => {
-                let matrix = self.table(matrix)?;
-                self.sheet.kernel(&matrix)
-            }
-            ("transpose", [matrix]) => self.table(matrix)?.transposed(),
-            ("trace", [matrix]) => {
-                let matrix = self.table(matrix)?;
-                let diagonal = (0..matrix.size()?).map(|place| matrix.get(place, place));
-                let diagonal: Vec<_> = diagonal.collect::<Result<_, _>>()?;
-                let trace = Table::single(self.sheet.total(diagonal)?);
-                self.sheet.of_whole(&trace, &matrix)
-            }
-            ("diagonal", entries) => {
-                let size = entries.len();
-                Table::made(size, size, |row, column| match row == column {
-                    true => self.scalar(&entries[row]),
-                    false => self.sheet.graph.integer(0),
-                })
-            }
-            ("identity", [size]) => {
-                let size = self.natural(size)? as usize;
-                self.sheet.identity(size)
-            }
-            ("zero", [rows, columns]) => {
-                let (rows, columns) = (
-                    self.natural(rows)? as usize,
-                    self.natural(columns)? as usize,
-                );
-                Table::made(rows, columns, |_, _| self.sheet.graph.integer(0))
-            }
-            _ => self.part(function, arguments),
-        }
-    }
-
-    /// A part of a matrix.
-    fn part(&mut self, function: &str, arguments: &'a [Expression]) -> Result<Table, Failure> {
-        let [matrix, first, others @ ..] = arguments else {
-            return Err(Unknown::Unsupported.into());
-        };
         let matrix = self.table(matrix)?;
-        let first = self.places(first)?;
         let (height, width) = matrix.shape();
-        let (rows, columns) = match (function, others) {
-            ("row", []) => (first, (1..=width).collect()),
-            ("column", []) => ((1..=height).collect(), first),
-            ("submatrix", [columns]) => (first, self.places(columns)?),
-            _ => return Err(Unknown::Unsupported.into()),
+        let mut places = |named: Option<&'a Expression>, all| match named {
+            Some(named) => self.places(named),
+            None => Ok((1..=all).collect()),
         };
+        let (rows, columns) = (places(rows, height)?, places(columns, width)?);
         let place = |place: usize| place.checked_sub(1).ok_or(Unknown::Shape);
         let part = Table::made(rows.len(), columns.len(), |row, column| {
             matrix.get(place(rows[row])?, place(columns[column])?)

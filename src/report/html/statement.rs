@@ -6,7 +6,8 @@ use super::escape;
 use super::mathematics::{expression, formula};
 use crate::language::notation::Notation;
 use crate::language::syntax::{
-    EvaluatorBody, Expression, Name, Node, Place, Replacement, Spanned, StatementKind,
+    Approximated, EvaluatorBody, Expression, Name, Node, Part, Place, Quantities, Replacement,
+    Spanned, StatementKind, SystemBody, SystemStatement,
 };
 use crate::report::words;
 
@@ -129,14 +130,26 @@ pub fn line(statement: &StatementKind) -> Option<LineView> {
             vec![list(replacements.iter().map(replacement))],
             &None,
         ),
+        StatementKind::System(system) => {
+            let keyword = format!(
+                "system {} {}",
+                words::label(&system.label),
+                system.name.value.ascii
+            );
+            view(&keyword, matrices(system), &system.description)
+        }
         StatementKind::Evaluator {
             label,
             name,
             body,
+            approximated,
             conditions,
             description,
         } => {
             let mut formulas = outputs(body);
+            if let Some(approximated) = approximated {
+                formulas.push(beside(approximated));
+            }
             if !conditions.is_empty() {
                 let conditions = conditions
                     .iter()
@@ -153,6 +166,60 @@ pub fn line(statement: &StatementKind) -> Option<LineView> {
     })
 }
 
+/// The matrices of a system, or its equations, and its coordinates.
+fn matrices(system: &SystemStatement) -> Vec<String> {
+    let of = |what: &str, part: &Part| {
+        let name = part.name.as_ref().map(|name| format!(" {}", name.value));
+        let name = escape(&name.unwrap_or_default());
+        format!(
+            "{what}{name} {}",
+            formula(&NOTATION.expression(&part.matrix))
+        )
+    };
+    let mut formulas = match &system.body {
+        SystemBody::Matrices {
+            mass,
+            damping,
+            stiffness,
+        } => {
+            let mass = format!("mass {}", formula(&NOTATION.expression(mass)));
+            let damping = damping.iter().map(|part| of("damping", part));
+            let stiffness = stiffness.iter().map(|part| of("stiffness", part));
+            [mass].into_iter().chain(damping).chain(stiffness).collect()
+        }
+        SystemBody::Equations { equations, rest } => {
+            let equations = formula(&NOTATION.expression(equations));
+            vec![format!("equations {equations} at {}", at(rest))]
+        }
+    };
+    let coordinates = system.coordinates.iter();
+    let coordinates = coordinates.map(|name| formula(&NOTATION.name(&name.value)));
+    formulas.push(format!("in {}", list(coordinates)));
+    formulas
+}
+
+/// What an evaluator is close to.
+fn beside(approximated: &Approximated) -> String {
+    let quantities = match approximated.quantities {
+        Quantities::RealParts => "real parts",
+        Quantities::Eigenvalues => "eigenvalues",
+    };
+    let system = escape(&approximated.system.value.ascii);
+    let place = approximated.place.as_ref();
+    let place = place.map(|place| format!(" at {}", at(place)));
+    format!(
+        "approximates {quantities} of {system}{}",
+        place.unwrap_or_default()
+    )
+}
+
+fn at(place: &Place) -> String {
+    match place {
+        Place::Named(name) => escape(&name.value.unicode),
+        Place::Replacements(all) => list(all.iter().map(replacement)),
+    }
+}
+
 fn outputs(body: &EvaluatorBody) -> Vec<String> {
     match body {
         EvaluatorBody::Outputs(outputs) => outputs
@@ -163,11 +230,7 @@ fn outputs(body: &EvaluatorBody) -> Vec<String> {
             })
             .collect(),
         EvaluatorBody::Special { general, place } => {
-            let place = match place {
-                Place::Named(name) => escape(&name.value.unicode),
-                Place::Replacements(all) => list(all.iter().map(replacement)),
-            };
-            vec![format!("{} at {place}", escape(&general.value.ascii))]
+            vec![format!("{} at {}", escape(&general.value.ascii), at(place))]
         }
     }
 }

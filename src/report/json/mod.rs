@@ -4,6 +4,8 @@
 //! read by SymPy; what the document says is in the block language.
 
 mod audit;
+#[cfg(feature = "stability")]
+mod closeness;
 mod evaluation;
 mod matching;
 #[cfg(feature = "stability")]
@@ -22,6 +24,8 @@ use crate::language::notation::Notation;
 use crate::language::syntax::Expression;
 
 pub use audit::{audits, explanation};
+#[cfg(feature = "stability")]
+pub use closeness::closeness;
 pub use evaluation::{evaluation, evaluators};
 pub use matching::matchings;
 #[cfg(feature = "stability")]

@@ -1,11 +1,9 @@
 //! `{"method", "eigenvalues": [{"re", "im", "error"}…], "s3d", "s3d_error", "verdict", "diverges", "reason",
-//! "warnings": […]}`, and with shapes `"shape": {"x": {"re", "im"}, "y", "r_theta"}` in each of the eigenvalues.
+//! "warnings": […]}`, and with shapes `"shape": {"x": {"re", "im"}, "y", "r_theta"}`, or the coordinates of a system, in each of the eigenvalues.
 
-use num_complex::Complex;
 use serde::Serialize;
 
-use crate::report::modes::{ModeFound, ModesFound, Shape};
-use crate::stability::coordinate::Coordinate;
+use crate::report::modes::{ModeFound, ModesFound, Moving, Shape};
 
 use super::pairs::Pairs;
 use super::write;
@@ -69,11 +67,7 @@ fn eigenvalue(mode: &ModeFound) -> Eigenvalue {
     }
 }
 
-fn entry(&(coordinate, own): &(Coordinate, Complex<f64>)) -> (String, Entry) {
-    let name = match coordinate {
-        Coordinate::X | Coordinate::Y => coordinate.name(),
-        Coordinate::Theta => "r_theta",
-    };
-    let (re, im) = (own.re, own.im);
-    (name.to_string(), Entry { re, im })
+fn entry(moving: &Moving) -> (String, Entry) {
+    let (re, im) = (moving.entry.re, moving.entry.im);
+    (moving.name.clone(), Entry { re, im })
 }

@@ -5,6 +5,8 @@
 
 mod audit;
 mod claim;
+#[cfg(feature = "stability")]
+mod closeness;
 mod evaluation;
 mod explanation;
 mod expression;
@@ -24,6 +26,8 @@ mod stability;
 mod validity;
 
 pub use audit::audit;
+#[cfg(feature = "stability")]
+pub use closeness::closeness;
 pub use evaluation::{evaluation, evaluators};
 pub use explanation::explanation;
 pub use generation::{difference, generated};

@@ -2,9 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use num_complex::Complex;
-
-use crate::report::modes::{ModeFound, ModesFound, Shape, length};
+use crate::report::modes::{ModeFound, ModesFound, Moving, Shape};
 use crate::report::stability::{bound_with, decimal, decimals, is_unknown, power, significant};
 use crate::stability::comparison::Value;
 
@@ -63,7 +61,7 @@ pub fn modes(found: &ModesFound) -> String {
         text += &format!("S_3D = {number}{within}{meaning}\n");
     }
     let verdict = found.verdict;
-    text += &format!("The section is {}: {verdict}\n", verdict.name());
+    text += &format!("The {} is {}: {verdict}\n", found.what, verdict.name());
     for warning in &found.warnings {
         text += &format!("Warning: {warning}\n");
     }
@@ -76,7 +74,7 @@ fn frequency(mode: &ModeFound, found: &ModesFound) -> String {
     match (mode.value.im == 0.0, grows, found.diverges) {
         (true, false, _) => "no oscillation".to_string(),
         (true, true, true) => "no oscillation: it diverges".to_string(),
-        (true, true, false) => "no oscillation: it gallops".to_string(),
+        (true, true, false) => "no oscillation: it grows".to_string(),
         _ => {
             let value = mode.value.im / TAU;
             let error = mode.error.map(|error| error / TAU);
@@ -122,8 +120,11 @@ fn moves(shape: &Shape) -> String {
     let Some(entries) = shape else {
         return "no shape in doubles".to_string();
     };
-    let entry = |(coordinate, own): &(_, Complex<f64>)| {
-        let name = length(*coordinate);
+    let entry = |Moving {
+                     shown: name,
+                     entry: own,
+                     ..
+                 }: &Moving| {
         let phase = own.arg().to_degrees();
         // What is rounded to -180° is 180°.
         let phase = if phase < -179.99995 { 180.0 } else { phase };
@@ -141,6 +142,8 @@ fn moves(shape: &Shape) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use num_complex::Complex;
+
     use crate::stability::verdict::{Proof, Verdict};
 
     fn page(error: f64, diverges: bool) -> String {
@@ -150,6 +153,7 @@ mod tests {
             shape: None,
         };
         modes(&ModesFound {
+            what: "section",
             method: "state",
             is_formula: false,
             modes: vec![mode(-1.0, TAU / 3.0), mode(0.02, 0.0), mode(0.04, 0.0)],
@@ -174,7 +178,7 @@ mod tests {
         );
         assert_eq!(
             ends(&page(0.03, false)),
-            ["0.33 Hz", "no oscillation", "no oscillation: it gallops"]
+            ["0.33 Hz", "no oscillation", "no oscillation: it grows"]
         );
     }
 

@@ -179,6 +179,7 @@ impl Reader<'_> {
             | StatementKind::Eigenpair { .. }
             | StatementKind::Match(_)
             | StatementKind::Domain(_)
+            | StatementKind::System(_)
             | StatementKind::Evaluator { .. } => Ok(()),
         }
     }
@@ -342,7 +343,7 @@ impl Reader<'_> {
                 Meaning::Function { .. } | Meaning::Template { .. }
             )
         });
-        if !is_declared && !built_in::NAMES.contains(&name.ascii.as_str()) {
+        if !is_declared && !built_in::is_built_in(&name.ascii) {
             return Ok(());
         }
         let message = format!("the argument `{name}` has the name of a function");
@@ -364,7 +365,7 @@ impl Reader<'_> {
         body.collect_mentions(&mut mentions);
         for Mention { name, .. } in mentions {
             let is_argument = arguments.iter().any(|argument| argument.value == name);
-            if !is_argument && !built_in::NAMES.contains(&name.ascii.as_str()) {
+            if !is_argument && !built_in::is_built_in(&name.ascii) {
                 let entry = self.elaborator.scope.find(&name, &body.span);
                 entry.map_err(|error| {
                     error.with_help(

@@ -128,6 +128,7 @@ impl Reader<'_> {
         self.unreadable.clone_from(&known.unreadable);
         self.aliases = known.aliases.clone();
         self.evaluators.clone_from(&known.all_evaluators);
+        self.systems.clone_from(&known.all_systems);
         self.domain = known.domain.clone();
         self.refusals = known.refusals.clone();
         true

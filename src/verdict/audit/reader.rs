@@ -22,6 +22,7 @@ use crate::language::syntax::{
     BinaryOperator, Comparison, Expectation, Expression, Name, Relation, Span, Spanned, Statement,
     StatementKind,
 };
+use crate::language::system::System;
 use crate::points::Salt;
 use crate::verdict::claim::{Claim, Verdict};
 use crate::verdict::judge::matching::MatchingCheck;
@@ -48,6 +49,8 @@ pub(super) struct Reader<'a> {
     pub(super) aliases: Aliases,
     /// What the documents want compiled, imported ones included.
     pub(super) evaluators: Vec<Evaluator>,
+    /// The systems that the documents want computed, imported ones included.
+    pub(super) systems: Vec<System>,
     /// Where the quantities lie in practice.
     pub(super) domain: Domain,
     /// What is wrong, and what that leaves without a meaning.
@@ -67,6 +70,7 @@ pub(super) struct Read {
     pub(super) findings: Vec<Finding>,
     pub(super) matchings: Vec<Matched>,
     pub(super) evaluators: Vec<Evaluator>,
+    pub(super) systems: Vec<System>,
     pub(super) checks: Vec<MatchingCheck>,
     /// Assertions that build on refused statements.
     pub(super) skipped_claims: Vec<Claim>,
@@ -106,6 +110,7 @@ impl<'a> Reader<'a> {
             unreadable: BTreeSet::new(),
             aliases: Aliases::default(),
             evaluators: Vec::new(),
+            systems: Vec::new(),
             domain: Domain::default(),
             refusals: Refusals::default(),
             failed,
@@ -294,9 +299,7 @@ impl<'a> Reader<'a> {
             read.matchings.push(matched);
             return Ok(());
         }
-        if let Some(evaluator) = Evaluator::of(statement, &self.evaluators)? {
-            self.evaluators.push(evaluator.clone());
-            read.evaluators.push(evaluator);
+        if self.ask_for(statement, read)? {
             return Ok(());
         }
         if let StatementKind::Domain(stated) = &statement.kind {
@@ -436,6 +439,9 @@ fn what(statement: &StatementKind) -> String {
         StatementKind::Eigenpair { label, .. } => format!("the eigenpair {}", label.written()),
         StatementKind::Match(own) => {
             format!("the matching {} `{}`", own.label.written(), own.name.value)
+        }
+        StatementKind::System(own) => {
+            format!("the system {} `{}`", own.label.written(), own.name.value)
         }
         StatementKind::Evaluator { label, name, .. } => {
             format!("the evaluator {} `{}`", label.written(), name.value)

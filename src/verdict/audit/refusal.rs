@@ -63,7 +63,7 @@ pub(super) struct Refusals {
     /// The mistakes, in the order in which they were met.
     pub(super) mistakes: Vec<Mistake>,
     names: BTreeMap<String, Refused>,
-    evaluators: BTreeMap<String, Refused>,
+    compiled: BTreeMap<String, Refused>,
     /// What may have declared anything; the last of what may.
     doubt: Option<Doubt>,
     /// What may have declared these names.
@@ -158,9 +158,9 @@ impl Refusals {
             let key = name.ascii.clone();
             self.names.entry(key).or_insert_with(|| refused(name));
         }
-        if let Some(name) = &intent.evaluator {
+        if let Some(name) = &intent.compiled {
             let key = name.ascii.clone();
-            self.evaluators.entry(key).or_insert_with(|| refused(name));
+            self.compiled.entry(key).or_insert_with(|| refused(name));
         }
     }
 
@@ -179,7 +179,7 @@ impl Refusals {
         let are_names = matches!(intent.may_declare, MayDeclare::Nothing);
         let mut symbols = BTreeSet::new();
         for name in intent.mentions.as_ref()? {
-            let is_built_in = built_in::NAMES.contains(&name.ascii.as_str());
+            let is_built_in = built_in::is_built_in(&name.ascii);
             let refused = self.names.get(&name.ascii);
             if let Some(refused) = refused {
                 symbols.extend(refused.symbols.clone()?);
@@ -205,9 +205,9 @@ impl Refusals {
             return None;
         }
         let intent = Intent::of(statement);
-        let evaluators = statement.general_evaluator().map(|name| &name.value);
-        let mut evaluators = evaluators.into_iter().chain(&intent.evaluator);
-        let refused = evaluators.find_map(|name| Some((name, self.evaluators.get(&name.ascii)?)));
+        let bases = statement.compiled_bases().map(|name| &name.value);
+        let mut compiled = bases.chain(&intent.compiled);
+        let refused = compiled.find_map(|name| Some((name, self.compiled.get(&name.ascii)?)));
         let refused = refused.or_else(|| {
             let mut declared = intent.declares.iter();
             declared.find_map(|name| Some((name, self.names.get(&name.ascii)?)))
@@ -244,7 +244,7 @@ impl Refusals {
 
     fn reason_of_mention(&self, mention: &Mention, scope: &Scope) -> Option<Reason> {
         let name = &mention.name;
-        let is_built_in = built_in::NAMES.contains(&name.ascii.as_str());
+        let is_built_in = built_in::is_built_in(&name.ascii);
         if let Some(refused) = self.names.get(&name.ascii) {
             // `det := 3` does not take the function `det` its meaning.
             let is_another = is_built_in && mention.is_called && !refused.is_template;

@@ -1,0 +1,147 @@
+//! Systems of documents, for the commands that compute them.
+
+use std::collections::BTreeMap;
+
+use clap::Args;
+
+use crate::algebra::number::Rational;
+use crate::compile::fixed::Fixed;
+use crate::compile::system::CompiledSystem;
+use crate::language::syntax::Place;
+use crate::language::system::System as Stated;
+use crate::stability::system::System;
+use crate::stability::system::error::SystemError;
+use crate::verdict::audit::Audit;
+
+use super::Outcome;
+use super::generate::{differs, mistaken, refused, unknown};
+use super::output::wrong;
+use super::source::{Audited, audit_all};
+
+/// Which system of which document.
+#[derive(Args, Debug)]
+pub struct Which {
+    /// A system: the name behind `system` in a document; not needed where there is one only
+    #[arg(long, value_name = "NAME")]
+    pub system: Option<String>,
+}
+
+/// A system of a document, ready to be computed.
+pub struct Chosen {
+    /// Its program.
+    pub system: System,
+    /// Its coordinates as the document writes them.
+    pub shown: Vec<String>,
+}
+
+impl Which {
+    /// The system of a document, or of those that come with the command.
+    ///
+    /// # Errors
+    ///
+    /// The outcome, after what is wrong was written.
+    pub fn choose(&self, document: Option<&str>) -> Result<Chosen, Outcome> {
+        let paths: Vec<String> = document.map(str::to_string).into_iter().collect();
+        let Audited {
+            mut audits,
+            outcome,
+            ..
+        } = audit_all(&paths);
+        if outcome != Outcome::AsExpected {
+            return Err(mistaken(outcome));
+        }
+        let (number, stated) = self.find(&audits)?;
+        let audit = &mut audits[number];
+        if !audit.as_expected() {
+            return Err(differs(audit));
+        }
+        let system = compiled(&stated, None, audit)?;
+        let shown = stated.coordinates.iter();
+        Ok(Chosen {
+            system,
+            shown: shown.map(|name| name.value.unicode.clone()).collect(),
+        })
+    }
+
+    /// The system that is meant, and the number of its document.
+    fn find(&self, audits: &[Audit]) -> Result<(usize, Stated), Outcome> {
+        let of = |(number, audit): (usize, &Audit)| {
+            let systems = audit.systems.clone().into_iter();
+            systems
+                .map(move |system| (number, system))
+                .collect::<Vec<_>>()
+        };
+        let all: Vec<(usize, Stated)> = audits.iter().enumerate().flat_map(of).collect();
+        let names: Vec<String> = all.iter().map(|(_, own)| own.name.ascii.clone()).collect();
+        let is_meant = |own: &Stated| match &self.system {
+            Some(name) => own.name.ascii == *name || own.name.unicode == *name,
+            None => true,
+        };
+        let mut meant = all.into_iter().filter(|(_, own)| is_meant(own));
+        match (meant.next(), meant.next(), &self.system) {
+            (Some(only), None, _) => Ok(only),
+            (Some(first), Some(_), Some(_)) => Ok(first),
+            (Some(_), Some(_), None) => Err(wrong(
+                &format!("the documents have several systems: {}", names.join(", ")),
+                "name one of them with `--system`",
+            )),
+            (None, _, Some(name)) if !names.is_empty() => Err(unknown(
+                &format!("there is no system `{name}`"),
+                name,
+                &names,
+            )),
+            (None, ..) => Err(wrong(
+                "the document has no system",
+                "write `system (1) name: mass M damping C stiffness K in x, y` in a block",
+            )),
+        }
+    }
+}
+
+/// The program of a system, after replacements if there are some.
+///
+/// # Errors
+///
+/// The outcome, after what is wrong was written.
+pub fn compiled(
+    stated: &Stated,
+    place: Option<&Place>,
+    audit: &mut Audit,
+) -> Result<System, Outcome> {
+    let compiled = CompiledSystem::of(stated, place, &[], audit).map_err(|refusal| {
+        let name = &stated.name.unicode;
+        refused(name, &audit.path, &refusal, std::slice::from_ref(audit))
+    })?;
+    Ok(System {
+        evaluator: compiled.evaluator,
+        coordinates: compiled.coordinates,
+        damping: compiled.damping,
+        stiffness: compiled.stiffness,
+    })
+}
+
+/// The numbers by name.
+///
+/// # Errors
+///
+/// The outcome, after it was written that one is set twice.
+pub fn numbers(set: &[Fixed]) -> Result<BTreeMap<String, Rational>, Outcome> {
+    let mut values = BTreeMap::new();
+    for Fixed { name, value, .. } in set {
+        if values.insert(name.clone(), value.clone()).is_some() {
+            return Err(wrong(&format!("`{name}` is set twice"), "set it once"));
+        }
+    }
+    Ok(values)
+}
+
+/// Writes why a system has no numbers.
+pub fn refuse(error: &SystemError) -> Outcome {
+    let help = match error {
+        SystemError::Missing { .. } | SystemError::Unknown { .. } => {
+            "`--set name=value`, in SI units and radians"
+        }
+        _ => "quantities are in SI units, angles in radians",
+    };
+    wrong(&error.to_string(), help)
+}

@@ -1,0 +1,116 @@
+//! What a document wants compiled: systems, and evaluators.
+
+use crate::language::diagnostic::{Diagnostic, DiagnosticKind, nearest};
+use crate::language::evaluator::Evaluator;
+use crate::language::syntax::{Approximated, Name, Quantities, Span, Statement};
+use crate::language::system::System;
+
+use super::reader::{Read, Reader};
+
+impl Reader<'_> {
+    /// Takes up what a statement wants compiled, if it wants that.
+    pub(super) fn ask_for(
+        &mut self,
+        statement: &Statement,
+        read: &mut Read,
+    ) -> Result<bool, Diagnostic> {
+        if let Some(system) = System::of(statement)? {
+            self.require_new(&system.name, &system.span, read)?;
+            self.elaborator.check_system(&system)?;
+            self.systems.push(system.clone());
+            read.systems.push(system);
+            return Ok(true);
+        }
+        let Some(evaluator) = Evaluator::of(statement, &self.evaluators)? else {
+            return Ok(false);
+        };
+        self.require_new(&evaluator.name, &evaluator.span, read)?;
+        if let Some(approximated) = &evaluator.approximated {
+            self.check_approximated(&evaluator, approximated)?;
+        }
+        self.evaluators.push(evaluator.clone());
+        read.evaluators.push(evaluator);
+        Ok(true)
+    }
+
+    /// A name is that of one system or evaluator.
+    fn require_new(&self, name: &Name, span: &Span, read: &Read) -> Result<(), Diagnostic> {
+        let known = |systems: &[System], evaluators: &[Evaluator]| {
+            let systems = systems.iter().map(|own| (&own.name, &own.span));
+            let mut all = systems.chain(evaluators.iter().map(|own| (&own.name, &own.span)));
+            all.find(|(own, _)| *own == name)
+                .map(|(_, span)| span.clone())
+        };
+        if known(&self.systems, &self.evaluators).is_none() {
+            return Ok(());
+        }
+        let message = format!("`{name}` is the name of a system or an evaluator already");
+        let diagnostic = Diagnostic::new(DiagnosticKind::Duplicate, span.clone(), message)
+            .with_label("the same name again")
+            .with_help("give each of them a name of its own");
+        Err(match known(&read.systems, &read.evaluators) {
+            Some(first) => diagnostic.with_secondary(first, "the first one"),
+            None => diagnostic,
+        })
+    }
+
+    /// An evaluator must have as many outputs as the system has numbers that they are close to.
+    fn check_approximated(
+        &mut self,
+        evaluator: &Evaluator,
+        approximated: &Approximated,
+    ) -> Result<(), Diagnostic> {
+        let name = &approximated.system;
+        let Some(system) = self.systems.iter().find(|own| own.name == name.value) else {
+            let names = self.systems.iter().map(|own| own.name.unicode.as_str());
+            let help = match nearest(&name.value.unicode, names) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => "declare it above with `system`".to_string(),
+            };
+            let message = format!("there is no system `{}` yet", name.value);
+            let kind = DiagnosticKind::UnknownName;
+            return Err(Diagnostic::new(kind, name.span.clone(), message)
+                .with_label("unknown system")
+                .with_help(help));
+        };
+        let wanted = match approximated.quantities {
+            Quantities::RealParts => system.coordinates.len(),
+            Quantities::Eigenvalues => 2 * system.coordinates.len(),
+        };
+        let mut found = 0;
+        for output in &evaluator.outputs {
+            found += self.elaborator.value(&output.expression)?.entries().len();
+        }
+        match found == wanted {
+            true => Ok(()),
+            false => Err(outputs_do_not_fit(evaluator, approximated, found, wanted)),
+        }
+    }
+}
+
+fn outputs_do_not_fit(
+    evaluator: &Evaluator,
+    approximated: &Approximated,
+    found: usize,
+    wanted: usize,
+) -> Diagnostic {
+    let (system, span) = (&approximated.system.value, &approximated.system.span);
+    let name = &evaluator.name;
+    let (message, help) = match approximated.quantities {
+        Quantities::RealParts => (
+            format!(
+                "`{system}` has a pair of eigenvalues for each coordinate, so {wanted} in all, and `{name}` has outputs for {found}"
+            ),
+            "give one real part for each coordinate",
+        ),
+        Quantities::Eigenvalues => (
+            format!(
+                "the eigenvalues of `{system}` are {wanted} numbers, and the outputs of `{name}` {found}"
+            ),
+            "give a real part for each coordinate, and then as many imaginary parts",
+        ),
+    };
+    Diagnostic::new(DiagnosticKind::Shape, span.clone(), message)
+        .with_label("they do not fit")
+        .with_help(help)
+}
