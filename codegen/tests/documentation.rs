@@ -10,6 +10,7 @@ fn fields_are_sentences_and_symbols_stay() {
         code: str::to_owned,
         heading: str::to_owned,
         constants: "",
+        shows_fields: false,
     };
     for (name, symbol, unit, description, expected) in [
         (

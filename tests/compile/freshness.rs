@@ -11,7 +11,27 @@ use sextic_codegen::language::Language;
 use super::audits;
 
 /// What makes them anew.
-const MEND: &str = "cargo run --release -- generate --out codegen/evaluators/src --language rust";
+const MEND: &str = "cargo run --release --no-default-features -- generate --out codegen/evaluators/src --language rust";
+
+fn checked_in() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("codegen/evaluators/src")
+}
+
+#[test]
+fn what_emitted_files_run_on_exists_once() {
+    let support = checked_in().join("../../support");
+    for entry in fs::read_dir(&support).expect("the folder of the support") {
+        let name = entry.expect("an entry").file_name();
+        let path = checked_in().join(&name);
+        let is_rust = name.to_string_lossy().ends_with(".rs");
+        let mend = format!("ln -sf ../../support/{0} {0}", name.to_string_lossy());
+        assert!(
+            !is_rust || path.is_symlink(),
+            "{} is no link to codegen/support; mend it there with\n  {mend}\n",
+            path.display()
+        );
+    }
+}
 
 #[test]
 fn the_evaluators_that_are_checked_in_are_fresh() {
@@ -23,7 +43,7 @@ fn the_evaluators_that_are_checked_in_are_fresh() {
         .map(|file| (file.path, file.text));
     let wanted: BTreeMap<String, String> = wanted.collect();
 
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("codegen/evaluators/src");
+    let folder = checked_in();
     let mut found = BTreeMap::new();
     for entry in fs::read_dir(&folder).expect("the folder of the evaluators") {
         let path = entry.expect("an entry").path();

@@ -12,8 +12,9 @@
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
+use super::batch::{self, Batched};
 use super::bounded::Bounded;
-use super::dispatch::{Kernel, LengthMismatch, Level, Mode};
+use super::dispatch::{LengthMismatch, Level, Mode};
 use super::lanes::Lanes;
 
 /// The inputs of [`aerodynamic_damping`]; made [from angles](AerodynamicDampingAngles), or given.
@@ -55,7 +56,7 @@ pub struct AerodynamicDampingInputs<T> {
 /// `AerodynamicDampingInputs::from(&angles)` takes these once; it needs the feature `std`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AerodynamicDampingAngles {
-    /// Radius of gyration about the elastic centre O, in `m`.
+    /// As in [`AerodynamicDampingInputs`].
     pub r: f64,
     /// Angle of the wind to the x axis (α_0), in `rad`.
     pub alpha_0: f64,
@@ -63,24 +64,21 @@ pub struct AerodynamicDampingAngles {
     pub gamma_r: f64,
     /// Turn of the section at rest (θ_0), in `rad`.
     pub theta_0: f64,
-    /// Reference dimension of the section, in `m`.
+    /// As in [`AerodynamicDampingInputs`].
     pub D: f64,
-    /// Distance of the aerodynamic centre A from O, in `m`.
+    /// As in [`AerodynamicDampingInputs`].
     pub L_a: f64,
-    /// Drag coefficient at the angle of attack α_0 + θ_0, dimensionless.
+    /// As in [`AerodynamicDampingInputs`].
     pub C_D: f64,
-    /// Lift coefficient at the angle of attack α_0 + θ_0, dimensionless.
+    /// As in [`AerodynamicDampingInputs`].
     pub C_L: f64,
-    /// Derivative of C_D by its angle in radians; drag coefficient at the angle of attack α_0 + θ_0
-    /// (C_D′), dimensionless.
+    /// As in [`AerodynamicDampingInputs`].
     pub dC_D: f64,
-    /// Derivative of C_L by its angle in radians; lift coefficient at the angle of attack α_0 + θ_0
-    /// (C_L′), dimensionless.
+    /// As in [`AerodynamicDampingInputs`].
     pub dC_L: f64,
-    /// Moment coefficient at the angle of attack α_0 + θ_0, dimensionless.
+    /// As in [`AerodynamicDampingInputs`].
     pub C_M: f64,
-    /// Derivative of C_M by its angle in radians; moment coefficient at the angle of attack α_0 +
-    /// θ_0 (C_M′), dimensionless.
+    /// As in [`AerodynamicDampingInputs`].
     pub dC_M: f64,
 }
 
@@ -132,61 +130,10 @@ pub struct AerodynamicDampingOutputs<T> {
 }
 
 /// The inputs of [`aerodynamic_damping_batch`]: slices of one length.
-#[derive(Clone, Copy, Debug)]
-pub struct AerodynamicDampingSlices<'a> {
-    /// Radius of gyration about the elastic centre O, in `m`.
-    pub r: &'a [f64],
-    /// cos(α_0), dimensionless.
-    pub cos_alpha_0: &'a [f64],
-    /// sin(α_0), dimensionless.
-    pub sin_alpha_0: &'a [f64],
-    /// cos(γ_r + θ_0), dimensionless.
-    pub cos_gamma_r_plus_theta_0: &'a [f64],
-    /// sin(γ_r + θ_0), dimensionless.
-    pub sin_gamma_r_plus_theta_0: &'a [f64],
-    /// Reference dimension of the section, in `m`.
-    pub D: &'a [f64],
-    /// Distance of the aerodynamic centre A from O, in `m`.
-    pub L_a: &'a [f64],
-    /// Drag coefficient at the angle of attack α_0 + θ_0, dimensionless.
-    pub C_D: &'a [f64],
-    /// Lift coefficient at the angle of attack α_0 + θ_0, dimensionless.
-    pub C_L: &'a [f64],
-    /// Derivative of C_D by its angle in radians; drag coefficient at the angle of attack α_0 + θ_0
-    /// (C_D′), dimensionless.
-    pub dC_D: &'a [f64],
-    /// Derivative of C_L by its angle in radians; lift coefficient at the angle of attack α_0 + θ_0
-    /// (C_L′), dimensionless.
-    pub dC_L: &'a [f64],
-    /// Moment coefficient at the angle of attack α_0 + θ_0, dimensionless.
-    pub C_M: &'a [f64],
-    /// Derivative of C_M by its angle in radians; moment coefficient at the angle of attack α_0 +
-    /// θ_0 (C_M′), dimensionless.
-    pub dC_M: &'a [f64],
-}
+pub type AerodynamicDampingSlices<'a> = AerodynamicDampingInputs<&'a [f64]>;
 
 /// The outputs of [`aerodynamic_damping_batch`]: slices of the length of the inputs.
-#[derive(Debug)]
-pub struct AerodynamicDampingSlicesMut<'a> {
-    /// Dimensionless.
-    pub S_xx: &'a mut [f64],
-    /// Dimensionless.
-    pub S_xy: &'a mut [f64],
-    /// S_xθ, dimensionless.
-    pub S_xt: &'a mut [f64],
-    /// Dimensionless.
-    pub S_yx: &'a mut [f64],
-    /// Dimensionless.
-    pub S_yy: &'a mut [f64],
-    /// S_yθ, dimensionless.
-    pub S_yt: &'a mut [f64],
-    /// S_θx, dimensionless.
-    pub S_tx: &'a mut [f64],
-    /// S_θy, dimensionless.
-    pub S_ty: &'a mut [f64],
-    /// S_θθ, dimensionless.
-    pub S_tt: &'a mut [f64],
-}
+pub type AerodynamicDampingSlicesMut<'a> = AerodynamicDampingOutputs<&'a mut [f64]>;
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
@@ -282,37 +229,6 @@ pub(super) fn aerodynamic_damping_body<T: Arithmetic>(
 /// - `s_αθγ := sin(α_0 + θ_0 + γ_r)`
 /// - `c_αθγ := cos(α_0 + θ_0 + γ_r)`
 ///
-/// # Inputs
-///
-/// - `r`: Radius of gyration about the elastic centre O, in `m`.
-/// - `cos_alpha_0`: cos(α_0), dimensionless.
-/// - `sin_alpha_0`: sin(α_0), dimensionless.
-/// - `cos_gamma_r_plus_theta_0`: cos(γ_r + θ_0), dimensionless.
-/// - `sin_gamma_r_plus_theta_0`: sin(γ_r + θ_0), dimensionless.
-/// - `D`: Reference dimension of the section, in `m`.
-/// - `L_a`: Distance of the aerodynamic centre A from O, in `m`.
-/// - `C_D`: Drag coefficient at the angle of attack α_0 + θ_0, dimensionless.
-/// - `C_L`: Lift coefficient at the angle of attack α_0 + θ_0, dimensionless.
-/// - `dC_D`: Derivative of C_D by its angle in radians; drag coefficient at the angle of attack
-///   α_0 + θ_0 (C_D′), dimensionless.
-/// - `dC_L`: Derivative of C_L by its angle in radians; lift coefficient at the angle of attack
-///   α_0 + θ_0 (C_L′), dimensionless.
-/// - `C_M`: Moment coefficient at the angle of attack α_0 + θ_0, dimensionless.
-/// - `dC_M`: Derivative of C_M by its angle in radians; moment coefficient at the angle of
-///   attack α_0 + θ_0 (C_M′), dimensionless.
-///
-/// # Outputs
-///
-/// - `S_xx`: Dimensionless.
-/// - `S_xy`: Dimensionless.
-/// - `S_xt`: S_xθ, dimensionless.
-/// - `S_yx`: Dimensionless.
-/// - `S_yy`: Dimensionless.
-/// - `S_yt`: S_yθ, dimensionless.
-/// - `S_tx`: S_θx, dimensionless.
-/// - `S_ty`: S_θy, dimensionless.
-/// - `S_tt`: S_θθ, dimensionless.
-///
 /// # Conditions
 ///
 /// The derivation assumes:
@@ -370,21 +286,7 @@ pub fn aerodynamic_damping(inputs: &AerodynamicDampingInputs<f64>) -> Aerodynami
 pub fn aerodynamic_damping_with_bound(
     inputs: &AerodynamicDampingInputs<f64>,
 ) -> AerodynamicDampingOutputs<Bounded> {
-    aerodynamic_damping_body(&AerodynamicDampingInputs {
-        r: Bounded::exact(inputs.r),
-        cos_alpha_0: Bounded::exact(inputs.cos_alpha_0),
-        sin_alpha_0: Bounded::exact(inputs.sin_alpha_0),
-        cos_gamma_r_plus_theta_0: Bounded::exact(inputs.cos_gamma_r_plus_theta_0),
-        sin_gamma_r_plus_theta_0: Bounded::exact(inputs.sin_gamma_r_plus_theta_0),
-        D: Bounded::exact(inputs.D),
-        L_a: Bounded::exact(inputs.L_a),
-        C_D: Bounded::exact(inputs.C_D),
-        C_L: Bounded::exact(inputs.C_L),
-        dC_D: Bounded::exact(inputs.dC_D),
-        dC_L: Bounded::exact(inputs.dC_L),
-        C_M: Bounded::exact(inputs.C_M),
-        dC_M: Bounded::exact(inputs.dC_M),
-    })
+    aerodynamic_damping_body(&Batch::inputs::<f64, _>(inputs, |_, value| Bounded::exact(*value)))
 }
 
 /// [`aerodynamic_damping`] at many points, with the best instructions of this machine.
@@ -411,124 +313,76 @@ pub fn aerodynamic_damping_batch_at(
     outputs: &mut AerodynamicDampingSlicesMut<'_>,
     mode: Mode,
 ) -> Result<(), LengthMismatch> {
-    let points = inputs.r.len();
-    LengthMismatch::check("r", points, inputs.r.len())?;
-    LengthMismatch::check("cos_alpha_0", points, inputs.cos_alpha_0.len())?;
-    LengthMismatch::check("sin_alpha_0", points, inputs.sin_alpha_0.len())?;
-    LengthMismatch::check("cos_gamma_r_plus_theta_0", points, inputs.cos_gamma_r_plus_theta_0.len())?;
-    LengthMismatch::check("sin_gamma_r_plus_theta_0", points, inputs.sin_gamma_r_plus_theta_0.len())?;
-    LengthMismatch::check("D", points, inputs.D.len())?;
-    LengthMismatch::check("L_a", points, inputs.L_a.len())?;
-    LengthMismatch::check("C_D", points, inputs.C_D.len())?;
-    LengthMismatch::check("C_L", points, inputs.C_L.len())?;
-    LengthMismatch::check("dC_D", points, inputs.dC_D.len())?;
-    LengthMismatch::check("dC_L", points, inputs.dC_L.len())?;
-    LengthMismatch::check("C_M", points, inputs.C_M.len())?;
-    LengthMismatch::check("dC_M", points, inputs.dC_M.len())?;
-    LengthMismatch::check("S_xx", points, outputs.S_xx.len())?;
-    LengthMismatch::check("S_xy", points, outputs.S_xy.len())?;
-    LengthMismatch::check("S_xt", points, outputs.S_xt.len())?;
-    LengthMismatch::check("S_yx", points, outputs.S_yx.len())?;
-    LengthMismatch::check("S_yy", points, outputs.S_yy.len())?;
-    LengthMismatch::check("S_yt", points, outputs.S_yt.len())?;
-    LengthMismatch::check("S_tx", points, outputs.S_tx.len())?;
-    LengthMismatch::check("S_ty", points, outputs.S_ty.len())?;
-    LengthMismatch::check("S_tt", points, outputs.S_tt.len())?;
-    level.run(mode, Batch { inputs, outputs });
-    Ok(())
+    batch::run::<Batch>(level, inputs, outputs, mode)
 }
 
-/// Slices of one length.
-struct Batch<'a, 'b, 'c> {
-    inputs: &'a AerodynamicDampingSlices<'b>,
-    outputs: &'a mut AerodynamicDampingSlicesMut<'c>,
-}
+/// What a batch needs to know.
+pub(super) struct Batch;
 
-impl Kernel for Batch<'_, '_, '_> {
+impl Batched for Batch {
+    type Inputs<T> = AerodynamicDampingInputs<T>;
+    type Outputs<T> = AerodynamicDampingOutputs<T>;
+
     #[inline(always)]
-    fn run<const N: usize, const FUSED: bool>(self) {
-        // That all lengths are this one is known to the compiler after this, so that it checks no bounds
-        // inside the loop.
-        let points = self.inputs.r.len();
-        let inputs = AerodynamicDampingSlices {
-            r: &self.inputs.r[..points],
-            cos_alpha_0: &self.inputs.cos_alpha_0[..points],
-            sin_alpha_0: &self.inputs.sin_alpha_0[..points],
-            cos_gamma_r_plus_theta_0: &self.inputs.cos_gamma_r_plus_theta_0[..points],
-            sin_gamma_r_plus_theta_0: &self.inputs.sin_gamma_r_plus_theta_0[..points],
-            D: &self.inputs.D[..points],
-            L_a: &self.inputs.L_a[..points],
-            C_D: &self.inputs.C_D[..points],
-            C_L: &self.inputs.C_L[..points],
-            dC_D: &self.inputs.dC_D[..points],
-            dC_L: &self.inputs.dC_L[..points],
-            C_M: &self.inputs.C_M[..points],
-            dC_M: &self.inputs.dC_M[..points],
-        };
-        let outputs = AerodynamicDampingSlicesMut {
-            S_xx: &mut self.outputs.S_xx[..points],
-            S_xy: &mut self.outputs.S_xy[..points],
-            S_xt: &mut self.outputs.S_xt[..points],
-            S_yx: &mut self.outputs.S_yx[..points],
-            S_yy: &mut self.outputs.S_yy[..points],
-            S_yt: &mut self.outputs.S_yt[..points],
-            S_tx: &mut self.outputs.S_tx[..points],
-            S_ty: &mut self.outputs.S_ty[..points],
-            S_tt: &mut self.outputs.S_tt[..points],
-        };
-        let mut start = 0;
-        while points - start >= N {
-            let result = aerodynamic_damping_body(&AerodynamicDampingInputs {
-                r: Lanes::<N, FUSED>::load(inputs.r, start),
-                cos_alpha_0: Lanes::<N, FUSED>::load(inputs.cos_alpha_0, start),
-                sin_alpha_0: Lanes::<N, FUSED>::load(inputs.sin_alpha_0, start),
-                cos_gamma_r_plus_theta_0: Lanes::<N, FUSED>::load(inputs.cos_gamma_r_plus_theta_0, start),
-                sin_gamma_r_plus_theta_0: Lanes::<N, FUSED>::load(inputs.sin_gamma_r_plus_theta_0, start),
-                D: Lanes::<N, FUSED>::load(inputs.D, start),
-                L_a: Lanes::<N, FUSED>::load(inputs.L_a, start),
-                C_D: Lanes::<N, FUSED>::load(inputs.C_D, start),
-                C_L: Lanes::<N, FUSED>::load(inputs.C_L, start),
-                dC_D: Lanes::<N, FUSED>::load(inputs.dC_D, start),
-                dC_L: Lanes::<N, FUSED>::load(inputs.dC_L, start),
-                C_M: Lanes::<N, FUSED>::load(inputs.C_M, start),
-                dC_M: Lanes::<N, FUSED>::load(inputs.dC_M, start),
-            });
-            result.S_xx.store(outputs.S_xx, start);
-            result.S_xy.store(outputs.S_xy, start);
-            result.S_xt.store(outputs.S_xt, start);
-            result.S_yx.store(outputs.S_yx, start);
-            result.S_yy.store(outputs.S_yy, start);
-            result.S_yt.store(outputs.S_yt, start);
-            result.S_tx.store(outputs.S_tx, start);
-            result.S_ty.store(outputs.S_ty, start);
-            result.S_tt.store(outputs.S_tt, start);
-            start += N;
+    fn inputs<'a, T: 'a, To>(
+        inputs: &'a AerodynamicDampingInputs<T>,
+        mut make: impl FnMut(&'static str, &'a T) -> To,
+    ) -> AerodynamicDampingInputs<To> {
+        AerodynamicDampingInputs {
+            r: make("r", &inputs.r),
+            cos_alpha_0: make("cos_alpha_0", &inputs.cos_alpha_0),
+            sin_alpha_0: make("sin_alpha_0", &inputs.sin_alpha_0),
+            cos_gamma_r_plus_theta_0: make("cos_gamma_r_plus_theta_0", &inputs.cos_gamma_r_plus_theta_0),
+            sin_gamma_r_plus_theta_0: make("sin_gamma_r_plus_theta_0", &inputs.sin_gamma_r_plus_theta_0),
+            D: make("D", &inputs.D),
+            L_a: make("L_a", &inputs.L_a),
+            C_D: make("C_D", &inputs.C_D),
+            C_L: make("C_L", &inputs.C_L),
+            dC_D: make("dC_D", &inputs.dC_D),
+            dC_L: make("dC_L", &inputs.dC_L),
+            C_M: make("C_M", &inputs.C_M),
+            dC_M: make("dC_M", &inputs.dC_M),
         }
-        if start < points {
-            let result = aerodynamic_damping_body(&AerodynamicDampingInputs {
-                r: Lanes::<N, FUSED>::load_tail(inputs.r, start),
-                cos_alpha_0: Lanes::<N, FUSED>::load_tail(inputs.cos_alpha_0, start),
-                sin_alpha_0: Lanes::<N, FUSED>::load_tail(inputs.sin_alpha_0, start),
-                cos_gamma_r_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.cos_gamma_r_plus_theta_0, start),
-                sin_gamma_r_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.sin_gamma_r_plus_theta_0, start),
-                D: Lanes::<N, FUSED>::load_tail(inputs.D, start),
-                L_a: Lanes::<N, FUSED>::load_tail(inputs.L_a, start),
-                C_D: Lanes::<N, FUSED>::load_tail(inputs.C_D, start),
-                C_L: Lanes::<N, FUSED>::load_tail(inputs.C_L, start),
-                dC_D: Lanes::<N, FUSED>::load_tail(inputs.dC_D, start),
-                dC_L: Lanes::<N, FUSED>::load_tail(inputs.dC_L, start),
-                C_M: Lanes::<N, FUSED>::load_tail(inputs.C_M, start),
-                dC_M: Lanes::<N, FUSED>::load_tail(inputs.dC_M, start),
-            });
-            result.S_xx.store_tail(outputs.S_xx, start);
-            result.S_xy.store_tail(outputs.S_xy, start);
-            result.S_xt.store_tail(outputs.S_xt, start);
-            result.S_yx.store_tail(outputs.S_yx, start);
-            result.S_yy.store_tail(outputs.S_yy, start);
-            result.S_yt.store_tail(outputs.S_yt, start);
-            result.S_tx.store_tail(outputs.S_tx, start);
-            result.S_ty.store_tail(outputs.S_ty, start);
-            result.S_tt.store_tail(outputs.S_tt, start);
+    }
+
+    #[inline(always)]
+    fn outputs<'a, T: 'a, To>(
+        outputs: &'a mut AerodynamicDampingOutputs<T>,
+        mut make: impl FnMut(&'static str, &'a mut T) -> To,
+    ) -> AerodynamicDampingOutputs<To> {
+        AerodynamicDampingOutputs {
+            S_xx: make("S_xx", &mut outputs.S_xx),
+            S_xy: make("S_xy", &mut outputs.S_xy),
+            S_xt: make("S_xt", &mut outputs.S_xt),
+            S_yx: make("S_yx", &mut outputs.S_yx),
+            S_yy: make("S_yy", &mut outputs.S_yy),
+            S_yt: make("S_yt", &mut outputs.S_yt),
+            S_tx: make("S_tx", &mut outputs.S_tx),
+            S_ty: make("S_ty", &mut outputs.S_ty),
+            S_tt: make("S_tt", &mut outputs.S_tt),
         }
+    }
+
+    #[inline(always)]
+    fn pairs<T, Other>(
+        outputs: AerodynamicDampingOutputs<T>,
+        others: AerodynamicDampingOutputs<Other>,
+    ) -> AerodynamicDampingOutputs<(T, Other)> {
+        AerodynamicDampingOutputs {
+            S_xx: (outputs.S_xx, others.S_xx),
+            S_xy: (outputs.S_xy, others.S_xy),
+            S_xt: (outputs.S_xt, others.S_xt),
+            S_yx: (outputs.S_yx, others.S_yx),
+            S_yy: (outputs.S_yy, others.S_yy),
+            S_yt: (outputs.S_yt, others.S_yt),
+            S_tx: (outputs.S_tx, others.S_tx),
+            S_ty: (outputs.S_ty, others.S_ty),
+            S_tt: (outputs.S_tt, others.S_tt),
+        }
+    }
+
+    #[inline(always)]
+    fn body<T: Lanes>(inputs: &AerodynamicDampingInputs<T>) -> AerodynamicDampingOutputs<T> {
+        aerodynamic_damping_body(inputs)
     }
 }

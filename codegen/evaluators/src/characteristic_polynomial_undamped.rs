@@ -13,8 +13,9 @@
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
+use super::batch::{self, Batched};
 use super::bounded::Bounded;
-use super::dispatch::{Kernel, LengthMismatch, Level, Mode};
+use super::dispatch::{LengthMismatch, Level, Mode};
 use super::lanes::Lanes;
 
 /// The inputs of [`characteristic_polynomial_undamped`]; made [from angles](CharacteristicPolynomialUndampedAngles), or given.
@@ -74,11 +75,11 @@ pub struct CharacteristicPolynomialUndampedInputs<T> {
 /// `CharacteristicPolynomialUndampedInputs::from(&angles)` takes these once; it needs the feature `std`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CharacteristicPolynomialUndampedAngles {
-    /// Mass per unit length, in `kg/m`.
+    /// As in [`CharacteristicPolynomialUndampedInputs`].
     pub m: f64,
-    /// Radius of gyration about the elastic centre O, in `m`.
+    /// As in [`CharacteristicPolynomialUndampedInputs`].
     pub r: f64,
-    /// Distance of the mass centre G from O, in `m`.
+    /// As in [`CharacteristicPolynomialUndampedInputs`].
     pub L_g: f64,
     /// Angle of the wind to the x axis (α_0), in `rad`.
     pub alpha_0: f64,
@@ -88,34 +89,31 @@ pub struct CharacteristicPolynomialUndampedAngles {
     pub theta_0: f64,
     /// Angle of the aerodynamic centre A from the reference line (γ_r), in `rad`.
     pub gamma_r: f64,
-    /// Natural frequencies of the uncoupled motions (ω_x), in `1/s`.
+    /// As in [`CharacteristicPolynomialUndampedInputs`].
     pub omega_x: f64,
-    /// Natural frequencies of the uncoupled motions (ω_y), in `1/s`.
+    /// As in [`CharacteristicPolynomialUndampedInputs`].
     pub omega_y: f64,
-    /// Natural frequencies of the uncoupled motions (ω_θ), in `1/s`.
+    /// As in [`CharacteristicPolynomialUndampedInputs`].
     pub omega_theta: f64,
-    /// Density of air (ρ), in `kg/m³`.
+    /// As in [`CharacteristicPolynomialUndampedInputs`].
     pub rho: f64,
-    /// Reference dimension of the section, in `m`.
+    /// As in [`CharacteristicPolynomialUndampedInputs`].
     pub D: f64,
-    /// Wind speed, in `m/s`.
+    /// As in [`CharacteristicPolynomialUndampedInputs`].
     pub U: f64,
-    /// Distance of the aerodynamic centre A from O, in `m`.
+    /// As in [`CharacteristicPolynomialUndampedInputs`].
     pub L_a: f64,
-    /// Drag coefficient at the angle of attack α_0 + θ_0, dimensionless.
+    /// As in [`CharacteristicPolynomialUndampedInputs`].
     pub C_D: f64,
-    /// Lift coefficient at the angle of attack α_0 + θ_0, dimensionless.
+    /// As in [`CharacteristicPolynomialUndampedInputs`].
     pub C_L: f64,
-    /// Derivative of C_D by its angle in radians; drag coefficient at the angle of attack α_0 + θ_0
-    /// (C_D′), dimensionless.
+    /// As in [`CharacteristicPolynomialUndampedInputs`].
     pub dC_D: f64,
-    /// Derivative of C_L by its angle in radians; lift coefficient at the angle of attack α_0 + θ_0
-    /// (C_L′), dimensionless.
+    /// As in [`CharacteristicPolynomialUndampedInputs`].
     pub dC_L: f64,
-    /// Moment coefficient at the angle of attack α_0 + θ_0, dimensionless.
+    /// As in [`CharacteristicPolynomialUndampedInputs`].
     pub C_M: f64,
-    /// Derivative of C_M by its angle in radians; moment coefficient at the angle of attack α_0 +
-    /// θ_0 (C_M′), dimensionless.
+    /// As in [`CharacteristicPolynomialUndampedInputs`].
     pub dC_M: f64,
 }
 
@@ -173,75 +171,10 @@ pub struct CharacteristicPolynomialUndampedOutputs<T> {
 }
 
 /// The inputs of [`characteristic_polynomial_undamped_batch`]: slices of one length.
-#[derive(Clone, Copy, Debug)]
-pub struct CharacteristicPolynomialUndampedSlices<'a> {
-    /// Mass per unit length, in `kg/m`.
-    pub m: &'a [f64],
-    /// Radius of gyration about the elastic centre O, in `m`.
-    pub r: &'a [f64],
-    /// Distance of the mass centre G from O, in `m`.
-    pub L_g: &'a [f64],
-    /// cos(α_0), dimensionless.
-    pub cos_alpha_0: &'a [f64],
-    /// sin(α_0), dimensionless.
-    pub sin_alpha_0: &'a [f64],
-    /// cos(α_g + θ_0), dimensionless.
-    pub cos_alpha_g_plus_theta_0: &'a [f64],
-    /// sin(α_g + θ_0), dimensionless.
-    pub sin_alpha_g_plus_theta_0: &'a [f64],
-    /// cos(γ_r + θ_0), dimensionless.
-    pub cos_gamma_r_plus_theta_0: &'a [f64],
-    /// sin(γ_r + θ_0), dimensionless.
-    pub sin_gamma_r_plus_theta_0: &'a [f64],
-    /// Natural frequencies of the uncoupled motions (ω_x), in `1/s`.
-    pub omega_x: &'a [f64],
-    /// Natural frequencies of the uncoupled motions (ω_y), in `1/s`.
-    pub omega_y: &'a [f64],
-    /// Natural frequencies of the uncoupled motions (ω_θ), in `1/s`.
-    pub omega_theta: &'a [f64],
-    /// Density of air (ρ), in `kg/m³`.
-    pub rho: &'a [f64],
-    /// Reference dimension of the section, in `m`.
-    pub D: &'a [f64],
-    /// Wind speed, in `m/s`.
-    pub U: &'a [f64],
-    /// Distance of the aerodynamic centre A from O, in `m`.
-    pub L_a: &'a [f64],
-    /// Drag coefficient at the angle of attack α_0 + θ_0, dimensionless.
-    pub C_D: &'a [f64],
-    /// Lift coefficient at the angle of attack α_0 + θ_0, dimensionless.
-    pub C_L: &'a [f64],
-    /// Derivative of C_D by its angle in radians; drag coefficient at the angle of attack α_0 + θ_0
-    /// (C_D′), dimensionless.
-    pub dC_D: &'a [f64],
-    /// Derivative of C_L by its angle in radians; lift coefficient at the angle of attack α_0 + θ_0
-    /// (C_L′), dimensionless.
-    pub dC_L: &'a [f64],
-    /// Moment coefficient at the angle of attack α_0 + θ_0, dimensionless.
-    pub C_M: &'a [f64],
-    /// Derivative of C_M by its angle in radians; moment coefficient at the angle of attack α_0 +
-    /// θ_0 (C_M′), dimensionless.
-    pub dC_M: &'a [f64],
-}
+pub type CharacteristicPolynomialUndampedSlices<'a> = CharacteristicPolynomialUndampedInputs<&'a [f64]>;
 
 /// The outputs of [`characteristic_polynomial_undamped_batch`]: slices of the length of the inputs.
-#[derive(Debug)]
-pub struct CharacteristicPolynomialUndampedSlicesMut<'a> {
-    /// In `1/s⁶`.
-    pub c_0: &'a mut [f64],
-    /// In `1/s⁵`.
-    pub c_1: &'a mut [f64],
-    /// In `1/s⁴`.
-    pub c_2: &'a mut [f64],
-    /// In `1/s³`.
-    pub c_3: &'a mut [f64],
-    /// In `1/s²`.
-    pub c_4: &'a mut [f64],
-    /// In `1/s`.
-    pub c_5: &'a mut [f64],
-    /// Dimensionless.
-    pub c_6: &'a mut [f64],
-}
+pub type CharacteristicPolynomialUndampedSlicesMut<'a> = CharacteristicPolynomialUndampedOutputs<&'a mut [f64]>;
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
@@ -390,44 +323,6 @@ pub(super) fn characteristic_polynomial_undamped_body<T: Arithmetic>(
 /// - `s_αθγ := sin(α_0 + θ_0 + γ_r)`
 /// - `c_αθγ := cos(α_0 + θ_0 + γ_r)`
 ///
-/// # Inputs
-///
-/// - `m`: Mass per unit length, in `kg/m`.
-/// - `r`: Radius of gyration about the elastic centre O, in `m`.
-/// - `L_g`: Distance of the mass centre G from O, in `m`.
-/// - `cos_alpha_0`: cos(α_0), dimensionless.
-/// - `sin_alpha_0`: sin(α_0), dimensionless.
-/// - `cos_alpha_g_plus_theta_0`: cos(α_g + θ_0), dimensionless.
-/// - `sin_alpha_g_plus_theta_0`: sin(α_g + θ_0), dimensionless.
-/// - `cos_gamma_r_plus_theta_0`: cos(γ_r + θ_0), dimensionless.
-/// - `sin_gamma_r_plus_theta_0`: sin(γ_r + θ_0), dimensionless.
-/// - `omega_x`: Natural frequencies of the uncoupled motions (ω_x), in `1/s`.
-/// - `omega_y`: Natural frequencies of the uncoupled motions (ω_y), in `1/s`.
-/// - `omega_theta`: Natural frequencies of the uncoupled motions (ω_θ), in `1/s`.
-/// - `rho`: Density of air (ρ), in `kg/m³`.
-/// - `D`: Reference dimension of the section, in `m`.
-/// - `U`: Wind speed, in `m/s`.
-/// - `L_a`: Distance of the aerodynamic centre A from O, in `m`.
-/// - `C_D`: Drag coefficient at the angle of attack α_0 + θ_0, dimensionless.
-/// - `C_L`: Lift coefficient at the angle of attack α_0 + θ_0, dimensionless.
-/// - `dC_D`: Derivative of C_D by its angle in radians; drag coefficient at the angle of attack
-///   α_0 + θ_0 (C_D′), dimensionless.
-/// - `dC_L`: Derivative of C_L by its angle in radians; lift coefficient at the angle of attack
-///   α_0 + θ_0 (C_L′), dimensionless.
-/// - `C_M`: Moment coefficient at the angle of attack α_0 + θ_0, dimensionless.
-/// - `dC_M`: Derivative of C_M by its angle in radians; moment coefficient at the angle of
-///   attack α_0 + θ_0 (C_M′), dimensionless.
-///
-/// # Outputs
-///
-/// - `c_0`: In `1/s⁶`.
-/// - `c_1`: In `1/s⁵`.
-/// - `c_2`: In `1/s⁴`.
-/// - `c_3`: In `1/s³`.
-/// - `c_4`: In `1/s²`.
-/// - `c_5`: In `1/s`.
-/// - `c_6`: Dimensionless.
-///
 /// # Conditions
 ///
 /// The derivation assumes:
@@ -493,30 +388,7 @@ pub fn characteristic_polynomial_undamped(inputs: &CharacteristicPolynomialUndam
 pub fn characteristic_polynomial_undamped_with_bound(
     inputs: &CharacteristicPolynomialUndampedInputs<f64>,
 ) -> CharacteristicPolynomialUndampedOutputs<Bounded> {
-    characteristic_polynomial_undamped_body(&CharacteristicPolynomialUndampedInputs {
-        m: Bounded::exact(inputs.m),
-        r: Bounded::exact(inputs.r),
-        L_g: Bounded::exact(inputs.L_g),
-        cos_alpha_0: Bounded::exact(inputs.cos_alpha_0),
-        sin_alpha_0: Bounded::exact(inputs.sin_alpha_0),
-        cos_alpha_g_plus_theta_0: Bounded::exact(inputs.cos_alpha_g_plus_theta_0),
-        sin_alpha_g_plus_theta_0: Bounded::exact(inputs.sin_alpha_g_plus_theta_0),
-        cos_gamma_r_plus_theta_0: Bounded::exact(inputs.cos_gamma_r_plus_theta_0),
-        sin_gamma_r_plus_theta_0: Bounded::exact(inputs.sin_gamma_r_plus_theta_0),
-        omega_x: Bounded::exact(inputs.omega_x),
-        omega_y: Bounded::exact(inputs.omega_y),
-        omega_theta: Bounded::exact(inputs.omega_theta),
-        rho: Bounded::exact(inputs.rho),
-        D: Bounded::exact(inputs.D),
-        U: Bounded::exact(inputs.U),
-        L_a: Bounded::exact(inputs.L_a),
-        C_D: Bounded::exact(inputs.C_D),
-        C_L: Bounded::exact(inputs.C_L),
-        dC_D: Bounded::exact(inputs.dC_D),
-        dC_L: Bounded::exact(inputs.dC_L),
-        C_M: Bounded::exact(inputs.C_M),
-        dC_M: Bounded::exact(inputs.dC_M),
-    })
+    characteristic_polynomial_undamped_body(&Batch::inputs::<f64, _>(inputs, |_, value| Bounded::exact(*value)))
 }
 
 /// [`characteristic_polynomial_undamped`] at many points, with the best instructions of this machine.
@@ -543,152 +415,81 @@ pub fn characteristic_polynomial_undamped_batch_at(
     outputs: &mut CharacteristicPolynomialUndampedSlicesMut<'_>,
     mode: Mode,
 ) -> Result<(), LengthMismatch> {
-    let points = inputs.m.len();
-    LengthMismatch::check("m", points, inputs.m.len())?;
-    LengthMismatch::check("r", points, inputs.r.len())?;
-    LengthMismatch::check("L_g", points, inputs.L_g.len())?;
-    LengthMismatch::check("cos_alpha_0", points, inputs.cos_alpha_0.len())?;
-    LengthMismatch::check("sin_alpha_0", points, inputs.sin_alpha_0.len())?;
-    LengthMismatch::check("cos_alpha_g_plus_theta_0", points, inputs.cos_alpha_g_plus_theta_0.len())?;
-    LengthMismatch::check("sin_alpha_g_plus_theta_0", points, inputs.sin_alpha_g_plus_theta_0.len())?;
-    LengthMismatch::check("cos_gamma_r_plus_theta_0", points, inputs.cos_gamma_r_plus_theta_0.len())?;
-    LengthMismatch::check("sin_gamma_r_plus_theta_0", points, inputs.sin_gamma_r_plus_theta_0.len())?;
-    LengthMismatch::check("omega_x", points, inputs.omega_x.len())?;
-    LengthMismatch::check("omega_y", points, inputs.omega_y.len())?;
-    LengthMismatch::check("omega_theta", points, inputs.omega_theta.len())?;
-    LengthMismatch::check("rho", points, inputs.rho.len())?;
-    LengthMismatch::check("D", points, inputs.D.len())?;
-    LengthMismatch::check("U", points, inputs.U.len())?;
-    LengthMismatch::check("L_a", points, inputs.L_a.len())?;
-    LengthMismatch::check("C_D", points, inputs.C_D.len())?;
-    LengthMismatch::check("C_L", points, inputs.C_L.len())?;
-    LengthMismatch::check("dC_D", points, inputs.dC_D.len())?;
-    LengthMismatch::check("dC_L", points, inputs.dC_L.len())?;
-    LengthMismatch::check("C_M", points, inputs.C_M.len())?;
-    LengthMismatch::check("dC_M", points, inputs.dC_M.len())?;
-    LengthMismatch::check("c_0", points, outputs.c_0.len())?;
-    LengthMismatch::check("c_1", points, outputs.c_1.len())?;
-    LengthMismatch::check("c_2", points, outputs.c_2.len())?;
-    LengthMismatch::check("c_3", points, outputs.c_3.len())?;
-    LengthMismatch::check("c_4", points, outputs.c_4.len())?;
-    LengthMismatch::check("c_5", points, outputs.c_5.len())?;
-    LengthMismatch::check("c_6", points, outputs.c_6.len())?;
-    level.run(mode, Batch { inputs, outputs });
-    Ok(())
+    batch::run::<Batch>(level, inputs, outputs, mode)
 }
 
-/// Slices of one length.
-struct Batch<'a, 'b, 'c> {
-    inputs: &'a CharacteristicPolynomialUndampedSlices<'b>,
-    outputs: &'a mut CharacteristicPolynomialUndampedSlicesMut<'c>,
-}
+/// What a batch needs to know.
+pub(super) struct Batch;
 
-impl Kernel for Batch<'_, '_, '_> {
+impl Batched for Batch {
+    type Inputs<T> = CharacteristicPolynomialUndampedInputs<T>;
+    type Outputs<T> = CharacteristicPolynomialUndampedOutputs<T>;
+
     #[inline(always)]
-    fn run<const N: usize, const FUSED: bool>(self) {
-        // That all lengths are this one is known to the compiler after this, so that it checks no bounds
-        // inside the loop.
-        let points = self.inputs.m.len();
-        let inputs = CharacteristicPolynomialUndampedSlices {
-            m: &self.inputs.m[..points],
-            r: &self.inputs.r[..points],
-            L_g: &self.inputs.L_g[..points],
-            cos_alpha_0: &self.inputs.cos_alpha_0[..points],
-            sin_alpha_0: &self.inputs.sin_alpha_0[..points],
-            cos_alpha_g_plus_theta_0: &self.inputs.cos_alpha_g_plus_theta_0[..points],
-            sin_alpha_g_plus_theta_0: &self.inputs.sin_alpha_g_plus_theta_0[..points],
-            cos_gamma_r_plus_theta_0: &self.inputs.cos_gamma_r_plus_theta_0[..points],
-            sin_gamma_r_plus_theta_0: &self.inputs.sin_gamma_r_plus_theta_0[..points],
-            omega_x: &self.inputs.omega_x[..points],
-            omega_y: &self.inputs.omega_y[..points],
-            omega_theta: &self.inputs.omega_theta[..points],
-            rho: &self.inputs.rho[..points],
-            D: &self.inputs.D[..points],
-            U: &self.inputs.U[..points],
-            L_a: &self.inputs.L_a[..points],
-            C_D: &self.inputs.C_D[..points],
-            C_L: &self.inputs.C_L[..points],
-            dC_D: &self.inputs.dC_D[..points],
-            dC_L: &self.inputs.dC_L[..points],
-            C_M: &self.inputs.C_M[..points],
-            dC_M: &self.inputs.dC_M[..points],
-        };
-        let outputs = CharacteristicPolynomialUndampedSlicesMut {
-            c_0: &mut self.outputs.c_0[..points],
-            c_1: &mut self.outputs.c_1[..points],
-            c_2: &mut self.outputs.c_2[..points],
-            c_3: &mut self.outputs.c_3[..points],
-            c_4: &mut self.outputs.c_4[..points],
-            c_5: &mut self.outputs.c_5[..points],
-            c_6: &mut self.outputs.c_6[..points],
-        };
-        let mut start = 0;
-        while points - start >= N {
-            let result = characteristic_polynomial_undamped_body(&CharacteristicPolynomialUndampedInputs {
-                m: Lanes::<N, FUSED>::load(inputs.m, start),
-                r: Lanes::<N, FUSED>::load(inputs.r, start),
-                L_g: Lanes::<N, FUSED>::load(inputs.L_g, start),
-                cos_alpha_0: Lanes::<N, FUSED>::load(inputs.cos_alpha_0, start),
-                sin_alpha_0: Lanes::<N, FUSED>::load(inputs.sin_alpha_0, start),
-                cos_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load(inputs.cos_alpha_g_plus_theta_0, start),
-                sin_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load(inputs.sin_alpha_g_plus_theta_0, start),
-                cos_gamma_r_plus_theta_0: Lanes::<N, FUSED>::load(inputs.cos_gamma_r_plus_theta_0, start),
-                sin_gamma_r_plus_theta_0: Lanes::<N, FUSED>::load(inputs.sin_gamma_r_plus_theta_0, start),
-                omega_x: Lanes::<N, FUSED>::load(inputs.omega_x, start),
-                omega_y: Lanes::<N, FUSED>::load(inputs.omega_y, start),
-                omega_theta: Lanes::<N, FUSED>::load(inputs.omega_theta, start),
-                rho: Lanes::<N, FUSED>::load(inputs.rho, start),
-                D: Lanes::<N, FUSED>::load(inputs.D, start),
-                U: Lanes::<N, FUSED>::load(inputs.U, start),
-                L_a: Lanes::<N, FUSED>::load(inputs.L_a, start),
-                C_D: Lanes::<N, FUSED>::load(inputs.C_D, start),
-                C_L: Lanes::<N, FUSED>::load(inputs.C_L, start),
-                dC_D: Lanes::<N, FUSED>::load(inputs.dC_D, start),
-                dC_L: Lanes::<N, FUSED>::load(inputs.dC_L, start),
-                C_M: Lanes::<N, FUSED>::load(inputs.C_M, start),
-                dC_M: Lanes::<N, FUSED>::load(inputs.dC_M, start),
-            });
-            result.c_0.store(outputs.c_0, start);
-            result.c_1.store(outputs.c_1, start);
-            result.c_2.store(outputs.c_2, start);
-            result.c_3.store(outputs.c_3, start);
-            result.c_4.store(outputs.c_4, start);
-            result.c_5.store(outputs.c_5, start);
-            result.c_6.store(outputs.c_6, start);
-            start += N;
+    fn inputs<'a, T: 'a, To>(
+        inputs: &'a CharacteristicPolynomialUndampedInputs<T>,
+        mut make: impl FnMut(&'static str, &'a T) -> To,
+    ) -> CharacteristicPolynomialUndampedInputs<To> {
+        CharacteristicPolynomialUndampedInputs {
+            m: make("m", &inputs.m),
+            r: make("r", &inputs.r),
+            L_g: make("L_g", &inputs.L_g),
+            cos_alpha_0: make("cos_alpha_0", &inputs.cos_alpha_0),
+            sin_alpha_0: make("sin_alpha_0", &inputs.sin_alpha_0),
+            cos_alpha_g_plus_theta_0: make("cos_alpha_g_plus_theta_0", &inputs.cos_alpha_g_plus_theta_0),
+            sin_alpha_g_plus_theta_0: make("sin_alpha_g_plus_theta_0", &inputs.sin_alpha_g_plus_theta_0),
+            cos_gamma_r_plus_theta_0: make("cos_gamma_r_plus_theta_0", &inputs.cos_gamma_r_plus_theta_0),
+            sin_gamma_r_plus_theta_0: make("sin_gamma_r_plus_theta_0", &inputs.sin_gamma_r_plus_theta_0),
+            omega_x: make("omega_x", &inputs.omega_x),
+            omega_y: make("omega_y", &inputs.omega_y),
+            omega_theta: make("omega_theta", &inputs.omega_theta),
+            rho: make("rho", &inputs.rho),
+            D: make("D", &inputs.D),
+            U: make("U", &inputs.U),
+            L_a: make("L_a", &inputs.L_a),
+            C_D: make("C_D", &inputs.C_D),
+            C_L: make("C_L", &inputs.C_L),
+            dC_D: make("dC_D", &inputs.dC_D),
+            dC_L: make("dC_L", &inputs.dC_L),
+            C_M: make("C_M", &inputs.C_M),
+            dC_M: make("dC_M", &inputs.dC_M),
         }
-        if start < points {
-            let result = characteristic_polynomial_undamped_body(&CharacteristicPolynomialUndampedInputs {
-                m: Lanes::<N, FUSED>::load_tail(inputs.m, start),
-                r: Lanes::<N, FUSED>::load_tail(inputs.r, start),
-                L_g: Lanes::<N, FUSED>::load_tail(inputs.L_g, start),
-                cos_alpha_0: Lanes::<N, FUSED>::load_tail(inputs.cos_alpha_0, start),
-                sin_alpha_0: Lanes::<N, FUSED>::load_tail(inputs.sin_alpha_0, start),
-                cos_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.cos_alpha_g_plus_theta_0, start),
-                sin_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.sin_alpha_g_plus_theta_0, start),
-                cos_gamma_r_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.cos_gamma_r_plus_theta_0, start),
-                sin_gamma_r_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.sin_gamma_r_plus_theta_0, start),
-                omega_x: Lanes::<N, FUSED>::load_tail(inputs.omega_x, start),
-                omega_y: Lanes::<N, FUSED>::load_tail(inputs.omega_y, start),
-                omega_theta: Lanes::<N, FUSED>::load_tail(inputs.omega_theta, start),
-                rho: Lanes::<N, FUSED>::load_tail(inputs.rho, start),
-                D: Lanes::<N, FUSED>::load_tail(inputs.D, start),
-                U: Lanes::<N, FUSED>::load_tail(inputs.U, start),
-                L_a: Lanes::<N, FUSED>::load_tail(inputs.L_a, start),
-                C_D: Lanes::<N, FUSED>::load_tail(inputs.C_D, start),
-                C_L: Lanes::<N, FUSED>::load_tail(inputs.C_L, start),
-                dC_D: Lanes::<N, FUSED>::load_tail(inputs.dC_D, start),
-                dC_L: Lanes::<N, FUSED>::load_tail(inputs.dC_L, start),
-                C_M: Lanes::<N, FUSED>::load_tail(inputs.C_M, start),
-                dC_M: Lanes::<N, FUSED>::load_tail(inputs.dC_M, start),
-            });
-            result.c_0.store_tail(outputs.c_0, start);
-            result.c_1.store_tail(outputs.c_1, start);
-            result.c_2.store_tail(outputs.c_2, start);
-            result.c_3.store_tail(outputs.c_3, start);
-            result.c_4.store_tail(outputs.c_4, start);
-            result.c_5.store_tail(outputs.c_5, start);
-            result.c_6.store_tail(outputs.c_6, start);
+    }
+
+    #[inline(always)]
+    fn outputs<'a, T: 'a, To>(
+        outputs: &'a mut CharacteristicPolynomialUndampedOutputs<T>,
+        mut make: impl FnMut(&'static str, &'a mut T) -> To,
+    ) -> CharacteristicPolynomialUndampedOutputs<To> {
+        CharacteristicPolynomialUndampedOutputs {
+            c_0: make("c_0", &mut outputs.c_0),
+            c_1: make("c_1", &mut outputs.c_1),
+            c_2: make("c_2", &mut outputs.c_2),
+            c_3: make("c_3", &mut outputs.c_3),
+            c_4: make("c_4", &mut outputs.c_4),
+            c_5: make("c_5", &mut outputs.c_5),
+            c_6: make("c_6", &mut outputs.c_6),
         }
+    }
+
+    #[inline(always)]
+    fn pairs<T, Other>(
+        outputs: CharacteristicPolynomialUndampedOutputs<T>,
+        others: CharacteristicPolynomialUndampedOutputs<Other>,
+    ) -> CharacteristicPolynomialUndampedOutputs<(T, Other)> {
+        CharacteristicPolynomialUndampedOutputs {
+            c_0: (outputs.c_0, others.c_0),
+            c_1: (outputs.c_1, others.c_1),
+            c_2: (outputs.c_2, others.c_2),
+            c_3: (outputs.c_3, others.c_3),
+            c_4: (outputs.c_4, others.c_4),
+            c_5: (outputs.c_5, others.c_5),
+            c_6: (outputs.c_6, others.c_6),
+        }
+    }
+
+    #[inline(always)]
+    fn body<T: Lanes>(inputs: &CharacteristicPolynomialUndampedInputs<T>) -> CharacteristicPolynomialUndampedOutputs<T> {
+        characteristic_polynomial_undamped_body(inputs)
     }
 }

@@ -15,8 +15,9 @@
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
+use super::batch::{self, Batched};
 use super::bounded::Bounded;
-use super::dispatch::{Kernel, LengthMismatch, Level, Mode};
+use super::dispatch::{LengthMismatch, Level, Mode};
 use super::lanes::Lanes;
 
 /// The inputs of [`closed_form`]; made [from angles](ClosedFormAngles), or given.
@@ -63,39 +64,39 @@ pub struct ClosedFormInputs<T> {
 /// `ClosedFormInputs::from(&angles)` takes these once; it needs the feature `std`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClosedFormAngles {
-    /// Mass per unit length, in `kg/m`.
+    /// As in [`ClosedFormInputs`].
     pub m: f64,
-    /// Radius of gyration about the elastic centre O, in `m`.
+    /// As in [`ClosedFormInputs`].
     pub r: f64,
-    /// Distance of the mass centre G from O, in `m`.
+    /// As in [`ClosedFormInputs`].
     pub L_g: f64,
     /// Angle of the mass centre G from the reference line of the section (α_g), in `rad`.
     pub alpha_g: f64,
     /// Turn of the section at rest (θ_0), in `rad`.
     pub theta_0: f64,
-    /// Density of air (ρ), in `kg/m³`.
+    /// As in [`ClosedFormInputs`].
     pub rho: f64,
-    /// Reference dimension of the section, in `m`.
+    /// As in [`ClosedFormInputs`].
     pub D: f64,
-    /// Wind speed, in `m/s`.
+    /// As in [`ClosedFormInputs`].
     pub U: f64,
-    /// Scaled aerodynamic damping, dimensionless.
+    /// As in [`ClosedFormInputs`].
     pub S_xx: f64,
-    /// Scaled aerodynamic damping, dimensionless.
+    /// As in [`ClosedFormInputs`].
     pub S_xy: f64,
-    /// Scaled aerodynamic damping, dimensionless.
+    /// As in [`ClosedFormInputs`].
     pub S_yx: f64,
-    /// Scaled aerodynamic damping, dimensionless.
+    /// As in [`ClosedFormInputs`].
     pub S_yy: f64,
-    /// Scaled aerodynamic damping (S_xθ), dimensionless.
+    /// As in [`ClosedFormInputs`].
     pub S_xt: f64,
-    /// Scaled aerodynamic damping (S_yθ), dimensionless.
+    /// As in [`ClosedFormInputs`].
     pub S_yt: f64,
-    /// Scaled aerodynamic damping (S_θx), dimensionless.
+    /// As in [`ClosedFormInputs`].
     pub S_tx: f64,
-    /// Scaled aerodynamic damping (S_θy), dimensionless.
+    /// As in [`ClosedFormInputs`].
     pub S_ty: f64,
-    /// Scaled aerodynamic damping (S_θθ), dimensionless.
+    /// As in [`ClosedFormInputs`].
     pub S_tt: f64,
 }
 
@@ -138,54 +139,10 @@ pub struct ClosedFormOutputs<T> {
 }
 
 /// The inputs of [`closed_form_batch`]: slices of one length.
-#[derive(Clone, Copy, Debug)]
-pub struct ClosedFormSlices<'a> {
-    /// Mass per unit length, in `kg/m`.
-    pub m: &'a [f64],
-    /// Radius of gyration about the elastic centre O, in `m`.
-    pub r: &'a [f64],
-    /// Distance of the mass centre G from O, in `m`.
-    pub L_g: &'a [f64],
-    /// cos(α_g + θ_0), dimensionless.
-    pub cos_alpha_g_plus_theta_0: &'a [f64],
-    /// sin(α_g + θ_0), dimensionless.
-    pub sin_alpha_g_plus_theta_0: &'a [f64],
-    /// Density of air (ρ), in `kg/m³`.
-    pub rho: &'a [f64],
-    /// Reference dimension of the section, in `m`.
-    pub D: &'a [f64],
-    /// Wind speed, in `m/s`.
-    pub U: &'a [f64],
-    /// Scaled aerodynamic damping, dimensionless.
-    pub S_xx: &'a [f64],
-    /// Scaled aerodynamic damping, dimensionless.
-    pub S_xy: &'a [f64],
-    /// Scaled aerodynamic damping, dimensionless.
-    pub S_yx: &'a [f64],
-    /// Scaled aerodynamic damping, dimensionless.
-    pub S_yy: &'a [f64],
-    /// Scaled aerodynamic damping (S_xθ), dimensionless.
-    pub S_xt: &'a [f64],
-    /// Scaled aerodynamic damping (S_yθ), dimensionless.
-    pub S_yt: &'a [f64],
-    /// Scaled aerodynamic damping (S_θx), dimensionless.
-    pub S_tx: &'a [f64],
-    /// Scaled aerodynamic damping (S_θy), dimensionless.
-    pub S_ty: &'a [f64],
-    /// Scaled aerodynamic damping (S_θθ), dimensionless.
-    pub S_tt: &'a [f64],
-}
+pub type ClosedFormSlices<'a> = ClosedFormInputs<&'a [f64]>;
 
 /// The outputs of [`closed_form_batch`]: slices of the length of the inputs.
-#[derive(Debug)]
-pub struct ClosedFormSlicesMut<'a> {
-    /// λ_R1, in `1/s`.
-    pub lamda_R1: &'a mut [f64],
-    /// λ_R2, in `1/s`.
-    pub lamda_R2: &'a mut [f64],
-    /// λ_R3, in `1/s`.
-    pub lamda_R3: &'a mut [f64],
-}
+pub type ClosedFormSlicesMut<'a> = ClosedFormOutputs<&'a mut [f64]>;
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
@@ -253,32 +210,6 @@ pub(super) fn closed_form_body<T: Arithmetic>(
 ///   θ_0)·cos(α_g + θ_0) + S_θθ)`
 /// - `d_2 := (S_θy + S_yθ)·cos(α_g + θ_0) + (S_xθ + S_θx)·sin(α_g + θ_0)`
 ///
-/// # Inputs
-///
-/// - `m`: Mass per unit length, in `kg/m`.
-/// - `r`: Radius of gyration about the elastic centre O, in `m`.
-/// - `L_g`: Distance of the mass centre G from O, in `m`.
-/// - `cos_alpha_g_plus_theta_0`: cos(α_g + θ_0), dimensionless.
-/// - `sin_alpha_g_plus_theta_0`: sin(α_g + θ_0), dimensionless.
-/// - `rho`: Density of air (ρ), in `kg/m³`.
-/// - `D`: Reference dimension of the section, in `m`.
-/// - `U`: Wind speed, in `m/s`.
-/// - `S_xx`: Scaled aerodynamic damping, dimensionless.
-/// - `S_xy`: Scaled aerodynamic damping, dimensionless.
-/// - `S_yx`: Scaled aerodynamic damping, dimensionless.
-/// - `S_yy`: Scaled aerodynamic damping, dimensionless.
-/// - `S_xt`: Scaled aerodynamic damping (S_xθ), dimensionless.
-/// - `S_yt`: Scaled aerodynamic damping (S_yθ), dimensionless.
-/// - `S_tx`: Scaled aerodynamic damping (S_θx), dimensionless.
-/// - `S_ty`: Scaled aerodynamic damping (S_θy), dimensionless.
-/// - `S_tt`: Scaled aerodynamic damping (S_θθ), dimensionless.
-///
-/// # Outputs
-///
-/// - `lamda_R1`: λ_R1, in `1/s`.
-/// - `lamda_R2`: λ_R2, in `1/s`.
-/// - `lamda_R3`: λ_R3, in `1/s`.
-///
 /// # Conditions
 ///
 /// The derivation assumes:
@@ -337,25 +268,7 @@ pub fn closed_form(inputs: &ClosedFormInputs<f64>) -> ClosedFormOutputs<f64> {
 pub fn closed_form_with_bound(
     inputs: &ClosedFormInputs<f64>,
 ) -> ClosedFormOutputs<Bounded> {
-    closed_form_body(&ClosedFormInputs {
-        m: Bounded::exact(inputs.m),
-        r: Bounded::exact(inputs.r),
-        L_g: Bounded::exact(inputs.L_g),
-        cos_alpha_g_plus_theta_0: Bounded::exact(inputs.cos_alpha_g_plus_theta_0),
-        sin_alpha_g_plus_theta_0: Bounded::exact(inputs.sin_alpha_g_plus_theta_0),
-        rho: Bounded::exact(inputs.rho),
-        D: Bounded::exact(inputs.D),
-        U: Bounded::exact(inputs.U),
-        S_xx: Bounded::exact(inputs.S_xx),
-        S_xy: Bounded::exact(inputs.S_xy),
-        S_yx: Bounded::exact(inputs.S_yx),
-        S_yy: Bounded::exact(inputs.S_yy),
-        S_xt: Bounded::exact(inputs.S_xt),
-        S_yt: Bounded::exact(inputs.S_yt),
-        S_tx: Bounded::exact(inputs.S_tx),
-        S_ty: Bounded::exact(inputs.S_ty),
-        S_tt: Bounded::exact(inputs.S_tt),
-    })
+    closed_form_body(&Batch::inputs::<f64, _>(inputs, |_, value| Bounded::exact(*value)))
 }
 
 /// [`closed_form`] at many points, with the best instructions of this machine.
@@ -382,116 +295,68 @@ pub fn closed_form_batch_at(
     outputs: &mut ClosedFormSlicesMut<'_>,
     mode: Mode,
 ) -> Result<(), LengthMismatch> {
-    let points = inputs.m.len();
-    LengthMismatch::check("m", points, inputs.m.len())?;
-    LengthMismatch::check("r", points, inputs.r.len())?;
-    LengthMismatch::check("L_g", points, inputs.L_g.len())?;
-    LengthMismatch::check("cos_alpha_g_plus_theta_0", points, inputs.cos_alpha_g_plus_theta_0.len())?;
-    LengthMismatch::check("sin_alpha_g_plus_theta_0", points, inputs.sin_alpha_g_plus_theta_0.len())?;
-    LengthMismatch::check("rho", points, inputs.rho.len())?;
-    LengthMismatch::check("D", points, inputs.D.len())?;
-    LengthMismatch::check("U", points, inputs.U.len())?;
-    LengthMismatch::check("S_xx", points, inputs.S_xx.len())?;
-    LengthMismatch::check("S_xy", points, inputs.S_xy.len())?;
-    LengthMismatch::check("S_yx", points, inputs.S_yx.len())?;
-    LengthMismatch::check("S_yy", points, inputs.S_yy.len())?;
-    LengthMismatch::check("S_xt", points, inputs.S_xt.len())?;
-    LengthMismatch::check("S_yt", points, inputs.S_yt.len())?;
-    LengthMismatch::check("S_tx", points, inputs.S_tx.len())?;
-    LengthMismatch::check("S_ty", points, inputs.S_ty.len())?;
-    LengthMismatch::check("S_tt", points, inputs.S_tt.len())?;
-    LengthMismatch::check("lamda_R1", points, outputs.lamda_R1.len())?;
-    LengthMismatch::check("lamda_R2", points, outputs.lamda_R2.len())?;
-    LengthMismatch::check("lamda_R3", points, outputs.lamda_R3.len())?;
-    level.run(mode, Batch { inputs, outputs });
-    Ok(())
+    batch::run::<Batch>(level, inputs, outputs, mode)
 }
 
-/// Slices of one length.
-struct Batch<'a, 'b, 'c> {
-    inputs: &'a ClosedFormSlices<'b>,
-    outputs: &'a mut ClosedFormSlicesMut<'c>,
-}
+/// What a batch needs to know.
+pub(super) struct Batch;
 
-impl Kernel for Batch<'_, '_, '_> {
+impl Batched for Batch {
+    type Inputs<T> = ClosedFormInputs<T>;
+    type Outputs<T> = ClosedFormOutputs<T>;
+
     #[inline(always)]
-    fn run<const N: usize, const FUSED: bool>(self) {
-        // That all lengths are this one is known to the compiler after this, so that it checks no bounds
-        // inside the loop.
-        let points = self.inputs.m.len();
-        let inputs = ClosedFormSlices {
-            m: &self.inputs.m[..points],
-            r: &self.inputs.r[..points],
-            L_g: &self.inputs.L_g[..points],
-            cos_alpha_g_plus_theta_0: &self.inputs.cos_alpha_g_plus_theta_0[..points],
-            sin_alpha_g_plus_theta_0: &self.inputs.sin_alpha_g_plus_theta_0[..points],
-            rho: &self.inputs.rho[..points],
-            D: &self.inputs.D[..points],
-            U: &self.inputs.U[..points],
-            S_xx: &self.inputs.S_xx[..points],
-            S_xy: &self.inputs.S_xy[..points],
-            S_yx: &self.inputs.S_yx[..points],
-            S_yy: &self.inputs.S_yy[..points],
-            S_xt: &self.inputs.S_xt[..points],
-            S_yt: &self.inputs.S_yt[..points],
-            S_tx: &self.inputs.S_tx[..points],
-            S_ty: &self.inputs.S_ty[..points],
-            S_tt: &self.inputs.S_tt[..points],
-        };
-        let outputs = ClosedFormSlicesMut {
-            lamda_R1: &mut self.outputs.lamda_R1[..points],
-            lamda_R2: &mut self.outputs.lamda_R2[..points],
-            lamda_R3: &mut self.outputs.lamda_R3[..points],
-        };
-        let mut start = 0;
-        while points - start >= N {
-            let result = closed_form_body(&ClosedFormInputs {
-                m: Lanes::<N, FUSED>::load(inputs.m, start),
-                r: Lanes::<N, FUSED>::load(inputs.r, start),
-                L_g: Lanes::<N, FUSED>::load(inputs.L_g, start),
-                cos_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load(inputs.cos_alpha_g_plus_theta_0, start),
-                sin_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load(inputs.sin_alpha_g_plus_theta_0, start),
-                rho: Lanes::<N, FUSED>::load(inputs.rho, start),
-                D: Lanes::<N, FUSED>::load(inputs.D, start),
-                U: Lanes::<N, FUSED>::load(inputs.U, start),
-                S_xx: Lanes::<N, FUSED>::load(inputs.S_xx, start),
-                S_xy: Lanes::<N, FUSED>::load(inputs.S_xy, start),
-                S_yx: Lanes::<N, FUSED>::load(inputs.S_yx, start),
-                S_yy: Lanes::<N, FUSED>::load(inputs.S_yy, start),
-                S_xt: Lanes::<N, FUSED>::load(inputs.S_xt, start),
-                S_yt: Lanes::<N, FUSED>::load(inputs.S_yt, start),
-                S_tx: Lanes::<N, FUSED>::load(inputs.S_tx, start),
-                S_ty: Lanes::<N, FUSED>::load(inputs.S_ty, start),
-                S_tt: Lanes::<N, FUSED>::load(inputs.S_tt, start),
-            });
-            result.lamda_R1.store(outputs.lamda_R1, start);
-            result.lamda_R2.store(outputs.lamda_R2, start);
-            result.lamda_R3.store(outputs.lamda_R3, start);
-            start += N;
+    fn inputs<'a, T: 'a, To>(
+        inputs: &'a ClosedFormInputs<T>,
+        mut make: impl FnMut(&'static str, &'a T) -> To,
+    ) -> ClosedFormInputs<To> {
+        ClosedFormInputs {
+            m: make("m", &inputs.m),
+            r: make("r", &inputs.r),
+            L_g: make("L_g", &inputs.L_g),
+            cos_alpha_g_plus_theta_0: make("cos_alpha_g_plus_theta_0", &inputs.cos_alpha_g_plus_theta_0),
+            sin_alpha_g_plus_theta_0: make("sin_alpha_g_plus_theta_0", &inputs.sin_alpha_g_plus_theta_0),
+            rho: make("rho", &inputs.rho),
+            D: make("D", &inputs.D),
+            U: make("U", &inputs.U),
+            S_xx: make("S_xx", &inputs.S_xx),
+            S_xy: make("S_xy", &inputs.S_xy),
+            S_yx: make("S_yx", &inputs.S_yx),
+            S_yy: make("S_yy", &inputs.S_yy),
+            S_xt: make("S_xt", &inputs.S_xt),
+            S_yt: make("S_yt", &inputs.S_yt),
+            S_tx: make("S_tx", &inputs.S_tx),
+            S_ty: make("S_ty", &inputs.S_ty),
+            S_tt: make("S_tt", &inputs.S_tt),
         }
-        if start < points {
-            let result = closed_form_body(&ClosedFormInputs {
-                m: Lanes::<N, FUSED>::load_tail(inputs.m, start),
-                r: Lanes::<N, FUSED>::load_tail(inputs.r, start),
-                L_g: Lanes::<N, FUSED>::load_tail(inputs.L_g, start),
-                cos_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.cos_alpha_g_plus_theta_0, start),
-                sin_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.sin_alpha_g_plus_theta_0, start),
-                rho: Lanes::<N, FUSED>::load_tail(inputs.rho, start),
-                D: Lanes::<N, FUSED>::load_tail(inputs.D, start),
-                U: Lanes::<N, FUSED>::load_tail(inputs.U, start),
-                S_xx: Lanes::<N, FUSED>::load_tail(inputs.S_xx, start),
-                S_xy: Lanes::<N, FUSED>::load_tail(inputs.S_xy, start),
-                S_yx: Lanes::<N, FUSED>::load_tail(inputs.S_yx, start),
-                S_yy: Lanes::<N, FUSED>::load_tail(inputs.S_yy, start),
-                S_xt: Lanes::<N, FUSED>::load_tail(inputs.S_xt, start),
-                S_yt: Lanes::<N, FUSED>::load_tail(inputs.S_yt, start),
-                S_tx: Lanes::<N, FUSED>::load_tail(inputs.S_tx, start),
-                S_ty: Lanes::<N, FUSED>::load_tail(inputs.S_ty, start),
-                S_tt: Lanes::<N, FUSED>::load_tail(inputs.S_tt, start),
-            });
-            result.lamda_R1.store_tail(outputs.lamda_R1, start);
-            result.lamda_R2.store_tail(outputs.lamda_R2, start);
-            result.lamda_R3.store_tail(outputs.lamda_R3, start);
+    }
+
+    #[inline(always)]
+    fn outputs<'a, T: 'a, To>(
+        outputs: &'a mut ClosedFormOutputs<T>,
+        mut make: impl FnMut(&'static str, &'a mut T) -> To,
+    ) -> ClosedFormOutputs<To> {
+        ClosedFormOutputs {
+            lamda_R1: make("lamda_R1", &mut outputs.lamda_R1),
+            lamda_R2: make("lamda_R2", &mut outputs.lamda_R2),
+            lamda_R3: make("lamda_R3", &mut outputs.lamda_R3),
         }
+    }
+
+    #[inline(always)]
+    fn pairs<T, Other>(
+        outputs: ClosedFormOutputs<T>,
+        others: ClosedFormOutputs<Other>,
+    ) -> ClosedFormOutputs<(T, Other)> {
+        ClosedFormOutputs {
+            lamda_R1: (outputs.lamda_R1, others.lamda_R1),
+            lamda_R2: (outputs.lamda_R2, others.lamda_R2),
+            lamda_R3: (outputs.lamda_R3, others.lamda_R3),
+        }
+    }
+
+    #[inline(always)]
+    fn body<T: Lanes>(inputs: &ClosedFormInputs<T>) -> ClosedFormOutputs<T> {
+        closed_form_body(inputs)
     }
 }

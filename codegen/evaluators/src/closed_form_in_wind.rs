@@ -15,8 +15,9 @@
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
+use super::batch::{self, Batched};
 use super::bounded::Bounded;
-use super::dispatch::{Kernel, LengthMismatch, Level, Mode};
+use super::dispatch::{LengthMismatch, Level, Mode};
 use super::lanes::Lanes;
 
 /// The inputs of [`closed_form_in_wind`]; made [from angles](ClosedFormInWindAngles), or given.
@@ -70,11 +71,11 @@ pub struct ClosedFormInWindInputs<T> {
 /// `ClosedFormInWindInputs::from(&angles)` takes these once; it needs the feature `std`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClosedFormInWindAngles {
-    /// Mass per unit length, in `kg/m`.
+    /// As in [`ClosedFormInWindInputs`].
     pub m: f64,
-    /// Radius of gyration about the elastic centre O, in `m`.
+    /// As in [`ClosedFormInWindInputs`].
     pub r: f64,
-    /// Distance of the mass centre G from O, in `m`.
+    /// As in [`ClosedFormInWindInputs`].
     pub L_g: f64,
     /// Angle of the wind to the x axis (α_0), in `rad`.
     pub alpha_0: f64,
@@ -84,28 +85,25 @@ pub struct ClosedFormInWindAngles {
     pub theta_0: f64,
     /// Angle of the aerodynamic centre A from the reference line (γ_r), in `rad`.
     pub gamma_r: f64,
-    /// Density of air (ρ), in `kg/m³`.
+    /// As in [`ClosedFormInWindInputs`].
     pub rho: f64,
-    /// Reference dimension of the section, in `m`.
+    /// As in [`ClosedFormInWindInputs`].
     pub D: f64,
-    /// Wind speed, in `m/s`.
+    /// As in [`ClosedFormInWindInputs`].
     pub U: f64,
-    /// Distance of the aerodynamic centre A from O, in `m`.
+    /// As in [`ClosedFormInWindInputs`].
     pub L_a: f64,
-    /// Drag coefficient at the angle of attack α_0 + θ_0, dimensionless.
+    /// As in [`ClosedFormInWindInputs`].
     pub C_D: f64,
-    /// Lift coefficient at the angle of attack α_0 + θ_0, dimensionless.
+    /// As in [`ClosedFormInWindInputs`].
     pub C_L: f64,
-    /// Derivative of C_D by its angle in radians; drag coefficient at the angle of attack α_0 + θ_0
-    /// (C_D′), dimensionless.
+    /// As in [`ClosedFormInWindInputs`].
     pub dC_D: f64,
-    /// Derivative of C_L by its angle in radians; lift coefficient at the angle of attack α_0 + θ_0
-    /// (C_L′), dimensionless.
+    /// As in [`ClosedFormInWindInputs`].
     pub dC_L: f64,
-    /// Moment coefficient at the angle of attack α_0 + θ_0, dimensionless.
+    /// As in [`ClosedFormInWindInputs`].
     pub C_M: f64,
-    /// Derivative of C_M by its angle in radians; moment coefficient at the angle of attack α_0 +
-    /// θ_0 (C_M′), dimensionless.
+    /// As in [`ClosedFormInWindInputs`].
     pub dC_M: f64,
 }
 
@@ -152,61 +150,10 @@ pub struct ClosedFormInWindOutputs<T> {
 }
 
 /// The inputs of [`closed_form_in_wind_batch`]: slices of one length.
-#[derive(Clone, Copy, Debug)]
-pub struct ClosedFormInWindSlices<'a> {
-    /// Mass per unit length, in `kg/m`.
-    pub m: &'a [f64],
-    /// Radius of gyration about the elastic centre O, in `m`.
-    pub r: &'a [f64],
-    /// Distance of the mass centre G from O, in `m`.
-    pub L_g: &'a [f64],
-    /// cos(α_0), dimensionless.
-    pub cos_alpha_0: &'a [f64],
-    /// sin(α_0), dimensionless.
-    pub sin_alpha_0: &'a [f64],
-    /// cos(α_g + θ_0), dimensionless.
-    pub cos_alpha_g_plus_theta_0: &'a [f64],
-    /// sin(α_g + θ_0), dimensionless.
-    pub sin_alpha_g_plus_theta_0: &'a [f64],
-    /// cos(γ_r + θ_0), dimensionless.
-    pub cos_gamma_r_plus_theta_0: &'a [f64],
-    /// sin(γ_r + θ_0), dimensionless.
-    pub sin_gamma_r_plus_theta_0: &'a [f64],
-    /// Density of air (ρ), in `kg/m³`.
-    pub rho: &'a [f64],
-    /// Reference dimension of the section, in `m`.
-    pub D: &'a [f64],
-    /// Wind speed, in `m/s`.
-    pub U: &'a [f64],
-    /// Distance of the aerodynamic centre A from O, in `m`.
-    pub L_a: &'a [f64],
-    /// Drag coefficient at the angle of attack α_0 + θ_0, dimensionless.
-    pub C_D: &'a [f64],
-    /// Lift coefficient at the angle of attack α_0 + θ_0, dimensionless.
-    pub C_L: &'a [f64],
-    /// Derivative of C_D by its angle in radians; drag coefficient at the angle of attack α_0 + θ_0
-    /// (C_D′), dimensionless.
-    pub dC_D: &'a [f64],
-    /// Derivative of C_L by its angle in radians; lift coefficient at the angle of attack α_0 + θ_0
-    /// (C_L′), dimensionless.
-    pub dC_L: &'a [f64],
-    /// Moment coefficient at the angle of attack α_0 + θ_0, dimensionless.
-    pub C_M: &'a [f64],
-    /// Derivative of C_M by its angle in radians; moment coefficient at the angle of attack α_0 +
-    /// θ_0 (C_M′), dimensionless.
-    pub dC_M: &'a [f64],
-}
+pub type ClosedFormInWindSlices<'a> = ClosedFormInWindInputs<&'a [f64]>;
 
 /// The outputs of [`closed_form_in_wind_batch`]: slices of the length of the inputs.
-#[derive(Debug)]
-pub struct ClosedFormInWindSlicesMut<'a> {
-    /// λ_R1, in `1/s`.
-    pub lamda_R1: &'a mut [f64],
-    /// λ_R2, in `1/s`.
-    pub lamda_R2: &'a mut [f64],
-    /// λ_R3, in `1/s`.
-    pub lamda_R3: &'a mut [f64],
-}
+pub type ClosedFormInWindSlicesMut<'a> = ClosedFormInWindOutputs<&'a mut [f64]>;
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
@@ -329,37 +276,6 @@ pub(super) fn closed_form_in_wind_body<T: Arithmetic>(
 ///   −c², −L_a·c_αθγ·c; c, s, L_a·s_αθγ; −s, c, L_a·c_αθγ]`
 /// - `…`
 ///
-/// # Inputs
-///
-/// - `m`: Mass per unit length, in `kg/m`.
-/// - `r`: Radius of gyration about the elastic centre O, in `m`.
-/// - `L_g`: Distance of the mass centre G from O, in `m`.
-/// - `cos_alpha_0`: cos(α_0), dimensionless.
-/// - `sin_alpha_0`: sin(α_0), dimensionless.
-/// - `cos_alpha_g_plus_theta_0`: cos(α_g + θ_0), dimensionless.
-/// - `sin_alpha_g_plus_theta_0`: sin(α_g + θ_0), dimensionless.
-/// - `cos_gamma_r_plus_theta_0`: cos(γ_r + θ_0), dimensionless.
-/// - `sin_gamma_r_plus_theta_0`: sin(γ_r + θ_0), dimensionless.
-/// - `rho`: Density of air (ρ), in `kg/m³`.
-/// - `D`: Reference dimension of the section, in `m`.
-/// - `U`: Wind speed, in `m/s`.
-/// - `L_a`: Distance of the aerodynamic centre A from O, in `m`.
-/// - `C_D`: Drag coefficient at the angle of attack α_0 + θ_0, dimensionless.
-/// - `C_L`: Lift coefficient at the angle of attack α_0 + θ_0, dimensionless.
-/// - `dC_D`: Derivative of C_D by its angle in radians; drag coefficient at the angle of attack
-///   α_0 + θ_0 (C_D′), dimensionless.
-/// - `dC_L`: Derivative of C_L by its angle in radians; lift coefficient at the angle of attack
-///   α_0 + θ_0 (C_L′), dimensionless.
-/// - `C_M`: Moment coefficient at the angle of attack α_0 + θ_0, dimensionless.
-/// - `dC_M`: Derivative of C_M by its angle in radians; moment coefficient at the angle of
-///   attack α_0 + θ_0 (C_M′), dimensionless.
-///
-/// # Outputs
-///
-/// - `lamda_R1`: λ_R1, in `1/s`.
-/// - `lamda_R2`: λ_R2, in `1/s`.
-/// - `lamda_R3`: λ_R3, in `1/s`.
-///
 /// # Conditions
 ///
 /// The derivation assumes:
@@ -419,27 +335,7 @@ pub fn closed_form_in_wind(inputs: &ClosedFormInWindInputs<f64>) -> ClosedFormIn
 pub fn closed_form_in_wind_with_bound(
     inputs: &ClosedFormInWindInputs<f64>,
 ) -> ClosedFormInWindOutputs<Bounded> {
-    closed_form_in_wind_body(&ClosedFormInWindInputs {
-        m: Bounded::exact(inputs.m),
-        r: Bounded::exact(inputs.r),
-        L_g: Bounded::exact(inputs.L_g),
-        cos_alpha_0: Bounded::exact(inputs.cos_alpha_0),
-        sin_alpha_0: Bounded::exact(inputs.sin_alpha_0),
-        cos_alpha_g_plus_theta_0: Bounded::exact(inputs.cos_alpha_g_plus_theta_0),
-        sin_alpha_g_plus_theta_0: Bounded::exact(inputs.sin_alpha_g_plus_theta_0),
-        cos_gamma_r_plus_theta_0: Bounded::exact(inputs.cos_gamma_r_plus_theta_0),
-        sin_gamma_r_plus_theta_0: Bounded::exact(inputs.sin_gamma_r_plus_theta_0),
-        rho: Bounded::exact(inputs.rho),
-        D: Bounded::exact(inputs.D),
-        U: Bounded::exact(inputs.U),
-        L_a: Bounded::exact(inputs.L_a),
-        C_D: Bounded::exact(inputs.C_D),
-        C_L: Bounded::exact(inputs.C_L),
-        dC_D: Bounded::exact(inputs.dC_D),
-        dC_L: Bounded::exact(inputs.dC_L),
-        C_M: Bounded::exact(inputs.C_M),
-        dC_M: Bounded::exact(inputs.dC_M),
-    })
+    closed_form_in_wind_body(&Batch::inputs::<f64, _>(inputs, |_, value| Bounded::exact(*value)))
 }
 
 /// [`closed_form_in_wind`] at many points, with the best instructions of this machine.
@@ -466,124 +362,70 @@ pub fn closed_form_in_wind_batch_at(
     outputs: &mut ClosedFormInWindSlicesMut<'_>,
     mode: Mode,
 ) -> Result<(), LengthMismatch> {
-    let points = inputs.m.len();
-    LengthMismatch::check("m", points, inputs.m.len())?;
-    LengthMismatch::check("r", points, inputs.r.len())?;
-    LengthMismatch::check("L_g", points, inputs.L_g.len())?;
-    LengthMismatch::check("cos_alpha_0", points, inputs.cos_alpha_0.len())?;
-    LengthMismatch::check("sin_alpha_0", points, inputs.sin_alpha_0.len())?;
-    LengthMismatch::check("cos_alpha_g_plus_theta_0", points, inputs.cos_alpha_g_plus_theta_0.len())?;
-    LengthMismatch::check("sin_alpha_g_plus_theta_0", points, inputs.sin_alpha_g_plus_theta_0.len())?;
-    LengthMismatch::check("cos_gamma_r_plus_theta_0", points, inputs.cos_gamma_r_plus_theta_0.len())?;
-    LengthMismatch::check("sin_gamma_r_plus_theta_0", points, inputs.sin_gamma_r_plus_theta_0.len())?;
-    LengthMismatch::check("rho", points, inputs.rho.len())?;
-    LengthMismatch::check("D", points, inputs.D.len())?;
-    LengthMismatch::check("U", points, inputs.U.len())?;
-    LengthMismatch::check("L_a", points, inputs.L_a.len())?;
-    LengthMismatch::check("C_D", points, inputs.C_D.len())?;
-    LengthMismatch::check("C_L", points, inputs.C_L.len())?;
-    LengthMismatch::check("dC_D", points, inputs.dC_D.len())?;
-    LengthMismatch::check("dC_L", points, inputs.dC_L.len())?;
-    LengthMismatch::check("C_M", points, inputs.C_M.len())?;
-    LengthMismatch::check("dC_M", points, inputs.dC_M.len())?;
-    LengthMismatch::check("lamda_R1", points, outputs.lamda_R1.len())?;
-    LengthMismatch::check("lamda_R2", points, outputs.lamda_R2.len())?;
-    LengthMismatch::check("lamda_R3", points, outputs.lamda_R3.len())?;
-    level.run(mode, Batch { inputs, outputs });
-    Ok(())
+    batch::run::<Batch>(level, inputs, outputs, mode)
 }
 
-/// Slices of one length.
-struct Batch<'a, 'b, 'c> {
-    inputs: &'a ClosedFormInWindSlices<'b>,
-    outputs: &'a mut ClosedFormInWindSlicesMut<'c>,
-}
+/// What a batch needs to know.
+pub(super) struct Batch;
 
-impl Kernel for Batch<'_, '_, '_> {
+impl Batched for Batch {
+    type Inputs<T> = ClosedFormInWindInputs<T>;
+    type Outputs<T> = ClosedFormInWindOutputs<T>;
+
     #[inline(always)]
-    fn run<const N: usize, const FUSED: bool>(self) {
-        // That all lengths are this one is known to the compiler after this, so that it checks no bounds
-        // inside the loop.
-        let points = self.inputs.m.len();
-        let inputs = ClosedFormInWindSlices {
-            m: &self.inputs.m[..points],
-            r: &self.inputs.r[..points],
-            L_g: &self.inputs.L_g[..points],
-            cos_alpha_0: &self.inputs.cos_alpha_0[..points],
-            sin_alpha_0: &self.inputs.sin_alpha_0[..points],
-            cos_alpha_g_plus_theta_0: &self.inputs.cos_alpha_g_plus_theta_0[..points],
-            sin_alpha_g_plus_theta_0: &self.inputs.sin_alpha_g_plus_theta_0[..points],
-            cos_gamma_r_plus_theta_0: &self.inputs.cos_gamma_r_plus_theta_0[..points],
-            sin_gamma_r_plus_theta_0: &self.inputs.sin_gamma_r_plus_theta_0[..points],
-            rho: &self.inputs.rho[..points],
-            D: &self.inputs.D[..points],
-            U: &self.inputs.U[..points],
-            L_a: &self.inputs.L_a[..points],
-            C_D: &self.inputs.C_D[..points],
-            C_L: &self.inputs.C_L[..points],
-            dC_D: &self.inputs.dC_D[..points],
-            dC_L: &self.inputs.dC_L[..points],
-            C_M: &self.inputs.C_M[..points],
-            dC_M: &self.inputs.dC_M[..points],
-        };
-        let outputs = ClosedFormInWindSlicesMut {
-            lamda_R1: &mut self.outputs.lamda_R1[..points],
-            lamda_R2: &mut self.outputs.lamda_R2[..points],
-            lamda_R3: &mut self.outputs.lamda_R3[..points],
-        };
-        let mut start = 0;
-        while points - start >= N {
-            let result = closed_form_in_wind_body(&ClosedFormInWindInputs {
-                m: Lanes::<N, FUSED>::load(inputs.m, start),
-                r: Lanes::<N, FUSED>::load(inputs.r, start),
-                L_g: Lanes::<N, FUSED>::load(inputs.L_g, start),
-                cos_alpha_0: Lanes::<N, FUSED>::load(inputs.cos_alpha_0, start),
-                sin_alpha_0: Lanes::<N, FUSED>::load(inputs.sin_alpha_0, start),
-                cos_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load(inputs.cos_alpha_g_plus_theta_0, start),
-                sin_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load(inputs.sin_alpha_g_plus_theta_0, start),
-                cos_gamma_r_plus_theta_0: Lanes::<N, FUSED>::load(inputs.cos_gamma_r_plus_theta_0, start),
-                sin_gamma_r_plus_theta_0: Lanes::<N, FUSED>::load(inputs.sin_gamma_r_plus_theta_0, start),
-                rho: Lanes::<N, FUSED>::load(inputs.rho, start),
-                D: Lanes::<N, FUSED>::load(inputs.D, start),
-                U: Lanes::<N, FUSED>::load(inputs.U, start),
-                L_a: Lanes::<N, FUSED>::load(inputs.L_a, start),
-                C_D: Lanes::<N, FUSED>::load(inputs.C_D, start),
-                C_L: Lanes::<N, FUSED>::load(inputs.C_L, start),
-                dC_D: Lanes::<N, FUSED>::load(inputs.dC_D, start),
-                dC_L: Lanes::<N, FUSED>::load(inputs.dC_L, start),
-                C_M: Lanes::<N, FUSED>::load(inputs.C_M, start),
-                dC_M: Lanes::<N, FUSED>::load(inputs.dC_M, start),
-            });
-            result.lamda_R1.store(outputs.lamda_R1, start);
-            result.lamda_R2.store(outputs.lamda_R2, start);
-            result.lamda_R3.store(outputs.lamda_R3, start);
-            start += N;
+    fn inputs<'a, T: 'a, To>(
+        inputs: &'a ClosedFormInWindInputs<T>,
+        mut make: impl FnMut(&'static str, &'a T) -> To,
+    ) -> ClosedFormInWindInputs<To> {
+        ClosedFormInWindInputs {
+            m: make("m", &inputs.m),
+            r: make("r", &inputs.r),
+            L_g: make("L_g", &inputs.L_g),
+            cos_alpha_0: make("cos_alpha_0", &inputs.cos_alpha_0),
+            sin_alpha_0: make("sin_alpha_0", &inputs.sin_alpha_0),
+            cos_alpha_g_plus_theta_0: make("cos_alpha_g_plus_theta_0", &inputs.cos_alpha_g_plus_theta_0),
+            sin_alpha_g_plus_theta_0: make("sin_alpha_g_plus_theta_0", &inputs.sin_alpha_g_plus_theta_0),
+            cos_gamma_r_plus_theta_0: make("cos_gamma_r_plus_theta_0", &inputs.cos_gamma_r_plus_theta_0),
+            sin_gamma_r_plus_theta_0: make("sin_gamma_r_plus_theta_0", &inputs.sin_gamma_r_plus_theta_0),
+            rho: make("rho", &inputs.rho),
+            D: make("D", &inputs.D),
+            U: make("U", &inputs.U),
+            L_a: make("L_a", &inputs.L_a),
+            C_D: make("C_D", &inputs.C_D),
+            C_L: make("C_L", &inputs.C_L),
+            dC_D: make("dC_D", &inputs.dC_D),
+            dC_L: make("dC_L", &inputs.dC_L),
+            C_M: make("C_M", &inputs.C_M),
+            dC_M: make("dC_M", &inputs.dC_M),
         }
-        if start < points {
-            let result = closed_form_in_wind_body(&ClosedFormInWindInputs {
-                m: Lanes::<N, FUSED>::load_tail(inputs.m, start),
-                r: Lanes::<N, FUSED>::load_tail(inputs.r, start),
-                L_g: Lanes::<N, FUSED>::load_tail(inputs.L_g, start),
-                cos_alpha_0: Lanes::<N, FUSED>::load_tail(inputs.cos_alpha_0, start),
-                sin_alpha_0: Lanes::<N, FUSED>::load_tail(inputs.sin_alpha_0, start),
-                cos_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.cos_alpha_g_plus_theta_0, start),
-                sin_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.sin_alpha_g_plus_theta_0, start),
-                cos_gamma_r_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.cos_gamma_r_plus_theta_0, start),
-                sin_gamma_r_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.sin_gamma_r_plus_theta_0, start),
-                rho: Lanes::<N, FUSED>::load_tail(inputs.rho, start),
-                D: Lanes::<N, FUSED>::load_tail(inputs.D, start),
-                U: Lanes::<N, FUSED>::load_tail(inputs.U, start),
-                L_a: Lanes::<N, FUSED>::load_tail(inputs.L_a, start),
-                C_D: Lanes::<N, FUSED>::load_tail(inputs.C_D, start),
-                C_L: Lanes::<N, FUSED>::load_tail(inputs.C_L, start),
-                dC_D: Lanes::<N, FUSED>::load_tail(inputs.dC_D, start),
-                dC_L: Lanes::<N, FUSED>::load_tail(inputs.dC_L, start),
-                C_M: Lanes::<N, FUSED>::load_tail(inputs.C_M, start),
-                dC_M: Lanes::<N, FUSED>::load_tail(inputs.dC_M, start),
-            });
-            result.lamda_R1.store_tail(outputs.lamda_R1, start);
-            result.lamda_R2.store_tail(outputs.lamda_R2, start);
-            result.lamda_R3.store_tail(outputs.lamda_R3, start);
+    }
+
+    #[inline(always)]
+    fn outputs<'a, T: 'a, To>(
+        outputs: &'a mut ClosedFormInWindOutputs<T>,
+        mut make: impl FnMut(&'static str, &'a mut T) -> To,
+    ) -> ClosedFormInWindOutputs<To> {
+        ClosedFormInWindOutputs {
+            lamda_R1: make("lamda_R1", &mut outputs.lamda_R1),
+            lamda_R2: make("lamda_R2", &mut outputs.lamda_R2),
+            lamda_R3: make("lamda_R3", &mut outputs.lamda_R3),
         }
+    }
+
+    #[inline(always)]
+    fn pairs<T, Other>(
+        outputs: ClosedFormInWindOutputs<T>,
+        others: ClosedFormInWindOutputs<Other>,
+    ) -> ClosedFormInWindOutputs<(T, Other)> {
+        ClosedFormInWindOutputs {
+            lamda_R1: (outputs.lamda_R1, others.lamda_R1),
+            lamda_R2: (outputs.lamda_R2, others.lamda_R2),
+            lamda_R3: (outputs.lamda_R3, others.lamda_R3),
+        }
+    }
+
+    #[inline(always)]
+    fn body<T: Lanes>(inputs: &ClosedFormInWindInputs<T>) -> ClosedFormInWindOutputs<T> {
+        closed_form_in_wind_body(inputs)
     }
 }

@@ -12,8 +12,9 @@
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
+use super::batch::{self, Batched};
 use super::bounded::Bounded;
-use super::dispatch::{Kernel, LengthMismatch, Level, Mode};
+use super::dispatch::{LengthMismatch, Level, Mode};
 use super::lanes::Lanes;
 
 /// The inputs of [`hurwitz_determinants`].
@@ -51,38 +52,10 @@ pub struct HurwitzDeterminantsOutputs<T> {
 }
 
 /// The inputs of [`hurwitz_determinants_batch`]: slices of one length.
-#[derive(Clone, Copy, Debug)]
-pub struct HurwitzDeterminantsSlices<'a> {
-    /// Coefficient of λ⁰, in `1/s⁶`.
-    pub c_0: &'a [f64],
-    /// Coefficient of λ, in `1/s⁵`.
-    pub c_1: &'a [f64],
-    /// Coefficient of λ², in `1/s⁴`.
-    pub c_2: &'a [f64],
-    /// Coefficient of λ³, in `1/s³`.
-    pub c_3: &'a [f64],
-    /// Coefficient of λ⁴, in `1/s²`.
-    pub c_4: &'a [f64],
-    /// Coefficient of λ⁵, in `1/s`.
-    pub c_5: &'a [f64],
-}
+pub type HurwitzDeterminantsSlices<'a> = HurwitzDeterminantsInputs<&'a [f64]>;
 
 /// The outputs of [`hurwitz_determinants_batch`]: slices of the length of the inputs.
-#[derive(Debug)]
-pub struct HurwitzDeterminantsSlicesMut<'a> {
-    /// In `1/s`.
-    pub H_1: &'a mut [f64],
-    /// In `1/s³`.
-    pub H_2: &'a mut [f64],
-    /// In `1/s⁶`.
-    pub H_3: &'a mut [f64],
-    /// In `1/s¹⁰`.
-    pub H_4: &'a mut [f64],
-    /// In `1/s¹⁵`.
-    pub H_5: &'a mut [f64],
-    /// In `1/s²¹`.
-    pub H_6: &'a mut [f64],
-}
+pub type HurwitzDeterminantsSlicesMut<'a> = HurwitzDeterminantsOutputs<&'a mut [f64]>;
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
@@ -146,24 +119,6 @@ pub(super) fn hurwitz_determinants_body<T: Arithmetic>(
 /// - `H_6 = hurwitz(monic, λ, 6)`
 /// - `monic := λ⁶ + c_5·λ⁵ + c_4·λ⁴ + c_3·λ³ + c_2·λ² + c_1·λ + c_0`
 ///
-/// # Inputs
-///
-/// - `c_0`: Coefficient of λ⁰, in `1/s⁶`.
-/// - `c_1`: Coefficient of λ, in `1/s⁵`.
-/// - `c_2`: Coefficient of λ², in `1/s⁴`.
-/// - `c_3`: Coefficient of λ³, in `1/s³`.
-/// - `c_4`: Coefficient of λ⁴, in `1/s²`.
-/// - `c_5`: Coefficient of λ⁵, in `1/s`.
-///
-/// # Outputs
-///
-/// - `H_1`: In `1/s`.
-/// - `H_2`: In `1/s³`.
-/// - `H_3`: In `1/s⁶`.
-/// - `H_4`: In `1/s¹⁰`.
-/// - `H_5`: In `1/s¹⁵`.
-/// - `H_6`: In `1/s²¹`.
-///
 /// # Conditions
 ///
 /// No assumption and no condition is recorded; inputs without physical meaning are not refused.
@@ -211,14 +166,7 @@ pub fn hurwitz_determinants(inputs: &HurwitzDeterminantsInputs<f64>) -> HurwitzD
 pub fn hurwitz_determinants_with_bound(
     inputs: &HurwitzDeterminantsInputs<f64>,
 ) -> HurwitzDeterminantsOutputs<Bounded> {
-    hurwitz_determinants_body(&HurwitzDeterminantsInputs {
-        c_0: Bounded::exact(inputs.c_0),
-        c_1: Bounded::exact(inputs.c_1),
-        c_2: Bounded::exact(inputs.c_2),
-        c_3: Bounded::exact(inputs.c_3),
-        c_4: Bounded::exact(inputs.c_4),
-        c_5: Bounded::exact(inputs.c_5),
-    })
+    hurwitz_determinants_body(&Batch::inputs::<f64, _>(inputs, |_, value| Bounded::exact(*value)))
 }
 
 /// [`hurwitz_determinants`] at many points, with the best instructions of this machine.
@@ -245,84 +193,63 @@ pub fn hurwitz_determinants_batch_at(
     outputs: &mut HurwitzDeterminantsSlicesMut<'_>,
     mode: Mode,
 ) -> Result<(), LengthMismatch> {
-    let points = inputs.c_0.len();
-    LengthMismatch::check("c_0", points, inputs.c_0.len())?;
-    LengthMismatch::check("c_1", points, inputs.c_1.len())?;
-    LengthMismatch::check("c_2", points, inputs.c_2.len())?;
-    LengthMismatch::check("c_3", points, inputs.c_3.len())?;
-    LengthMismatch::check("c_4", points, inputs.c_4.len())?;
-    LengthMismatch::check("c_5", points, inputs.c_5.len())?;
-    LengthMismatch::check("H_1", points, outputs.H_1.len())?;
-    LengthMismatch::check("H_2", points, outputs.H_2.len())?;
-    LengthMismatch::check("H_3", points, outputs.H_3.len())?;
-    LengthMismatch::check("H_4", points, outputs.H_4.len())?;
-    LengthMismatch::check("H_5", points, outputs.H_5.len())?;
-    LengthMismatch::check("H_6", points, outputs.H_6.len())?;
-    level.run(mode, Batch { inputs, outputs });
-    Ok(())
+    batch::run::<Batch>(level, inputs, outputs, mode)
 }
 
-/// Slices of one length.
-struct Batch<'a, 'b, 'c> {
-    inputs: &'a HurwitzDeterminantsSlices<'b>,
-    outputs: &'a mut HurwitzDeterminantsSlicesMut<'c>,
-}
+/// What a batch needs to know.
+pub(super) struct Batch;
 
-impl Kernel for Batch<'_, '_, '_> {
+impl Batched for Batch {
+    type Inputs<T> = HurwitzDeterminantsInputs<T>;
+    type Outputs<T> = HurwitzDeterminantsOutputs<T>;
+
     #[inline(always)]
-    fn run<const N: usize, const FUSED: bool>(self) {
-        // That all lengths are this one is known to the compiler after this, so that it checks no bounds
-        // inside the loop.
-        let points = self.inputs.c_0.len();
-        let inputs = HurwitzDeterminantsSlices {
-            c_0: &self.inputs.c_0[..points],
-            c_1: &self.inputs.c_1[..points],
-            c_2: &self.inputs.c_2[..points],
-            c_3: &self.inputs.c_3[..points],
-            c_4: &self.inputs.c_4[..points],
-            c_5: &self.inputs.c_5[..points],
-        };
-        let outputs = HurwitzDeterminantsSlicesMut {
-            H_1: &mut self.outputs.H_1[..points],
-            H_2: &mut self.outputs.H_2[..points],
-            H_3: &mut self.outputs.H_3[..points],
-            H_4: &mut self.outputs.H_4[..points],
-            H_5: &mut self.outputs.H_5[..points],
-            H_6: &mut self.outputs.H_6[..points],
-        };
-        let mut start = 0;
-        while points - start >= N {
-            let result = hurwitz_determinants_body(&HurwitzDeterminantsInputs {
-                c_0: Lanes::<N, FUSED>::load(inputs.c_0, start),
-                c_1: Lanes::<N, FUSED>::load(inputs.c_1, start),
-                c_2: Lanes::<N, FUSED>::load(inputs.c_2, start),
-                c_3: Lanes::<N, FUSED>::load(inputs.c_3, start),
-                c_4: Lanes::<N, FUSED>::load(inputs.c_4, start),
-                c_5: Lanes::<N, FUSED>::load(inputs.c_5, start),
-            });
-            result.H_1.store(outputs.H_1, start);
-            result.H_2.store(outputs.H_2, start);
-            result.H_3.store(outputs.H_3, start);
-            result.H_4.store(outputs.H_4, start);
-            result.H_5.store(outputs.H_5, start);
-            result.H_6.store(outputs.H_6, start);
-            start += N;
+    fn inputs<'a, T: 'a, To>(
+        inputs: &'a HurwitzDeterminantsInputs<T>,
+        mut make: impl FnMut(&'static str, &'a T) -> To,
+    ) -> HurwitzDeterminantsInputs<To> {
+        HurwitzDeterminantsInputs {
+            c_0: make("c_0", &inputs.c_0),
+            c_1: make("c_1", &inputs.c_1),
+            c_2: make("c_2", &inputs.c_2),
+            c_3: make("c_3", &inputs.c_3),
+            c_4: make("c_4", &inputs.c_4),
+            c_5: make("c_5", &inputs.c_5),
         }
-        if start < points {
-            let result = hurwitz_determinants_body(&HurwitzDeterminantsInputs {
-                c_0: Lanes::<N, FUSED>::load_tail(inputs.c_0, start),
-                c_1: Lanes::<N, FUSED>::load_tail(inputs.c_1, start),
-                c_2: Lanes::<N, FUSED>::load_tail(inputs.c_2, start),
-                c_3: Lanes::<N, FUSED>::load_tail(inputs.c_3, start),
-                c_4: Lanes::<N, FUSED>::load_tail(inputs.c_4, start),
-                c_5: Lanes::<N, FUSED>::load_tail(inputs.c_5, start),
-            });
-            result.H_1.store_tail(outputs.H_1, start);
-            result.H_2.store_tail(outputs.H_2, start);
-            result.H_3.store_tail(outputs.H_3, start);
-            result.H_4.store_tail(outputs.H_4, start);
-            result.H_5.store_tail(outputs.H_5, start);
-            result.H_6.store_tail(outputs.H_6, start);
+    }
+
+    #[inline(always)]
+    fn outputs<'a, T: 'a, To>(
+        outputs: &'a mut HurwitzDeterminantsOutputs<T>,
+        mut make: impl FnMut(&'static str, &'a mut T) -> To,
+    ) -> HurwitzDeterminantsOutputs<To> {
+        HurwitzDeterminantsOutputs {
+            H_1: make("H_1", &mut outputs.H_1),
+            H_2: make("H_2", &mut outputs.H_2),
+            H_3: make("H_3", &mut outputs.H_3),
+            H_4: make("H_4", &mut outputs.H_4),
+            H_5: make("H_5", &mut outputs.H_5),
+            H_6: make("H_6", &mut outputs.H_6),
         }
+    }
+
+    #[inline(always)]
+    fn pairs<T, Other>(
+        outputs: HurwitzDeterminantsOutputs<T>,
+        others: HurwitzDeterminantsOutputs<Other>,
+    ) -> HurwitzDeterminantsOutputs<(T, Other)> {
+        HurwitzDeterminantsOutputs {
+            H_1: (outputs.H_1, others.H_1),
+            H_2: (outputs.H_2, others.H_2),
+            H_3: (outputs.H_3, others.H_3),
+            H_4: (outputs.H_4, others.H_4),
+            H_5: (outputs.H_5, others.H_5),
+            H_6: (outputs.H_6, others.H_6),
+        }
+    }
+
+    #[inline(always)]
+    fn body<T: Lanes>(inputs: &HurwitzDeterminantsInputs<T>) -> HurwitzDeterminantsOutputs<T> {
+        hurwitz_determinants_body(inputs)
     }
 }

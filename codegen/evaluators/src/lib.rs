@@ -28,15 +28,19 @@
 #![deny(missing_docs)]
 
 pub mod arithmetic;
+mod batch;
 pub mod bounded;
 pub mod comparison;
 pub mod complex;
 pub mod dispatch;
 pub mod exact_modes;
 pub mod exact_modes_batch;
-pub mod lanes;
-pub mod reference;
-pub mod starting_values;
+mod lanes;
+mod octet;
+mod pair;
+mod quartet;
+mod reference;
+mod starting_values;
 
 #[rustfmt::skip]
 pub mod aerodynamic_damping;

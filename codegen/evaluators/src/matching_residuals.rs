@@ -12,8 +12,9 @@
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
+use super::batch::{self, Batched};
 use super::bounded::Bounded;
-use super::dispatch::{Kernel, LengthMismatch, Level, Mode};
+use super::dispatch::{LengthMismatch, Level, Mode};
 use super::lanes::Lanes;
 
 /// The inputs of [`matching_residuals`]; made [from angles](MatchingResidualsAngles), or given.
@@ -62,41 +63,41 @@ pub struct MatchingResidualsInputs<T> {
 /// `MatchingResidualsInputs::from(&angles)` takes these once; it needs the feature `std`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MatchingResidualsAngles {
-    /// Mass per unit length, in `kg/m`.
+    /// As in [`MatchingResidualsInputs`].
     pub m: f64,
-    /// Radius of gyration about the elastic centre O, in `m`.
+    /// As in [`MatchingResidualsInputs`].
     pub r: f64,
-    /// Distance of the mass centre G from O, in `m`.
+    /// As in [`MatchingResidualsInputs`].
     pub L_g: f64,
     /// Angle of the mass centre G from the reference line of the section (α_g), in `rad`.
     pub alpha_g: f64,
     /// Turn of the section at rest (θ_0), in `rad`.
     pub theta_0: f64,
-    /// Density of air (ρ), in `kg/m³`.
+    /// As in [`MatchingResidualsInputs`].
     pub rho: f64,
-    /// Reference dimension of the section, in `m`.
+    /// As in [`MatchingResidualsInputs`].
     pub D: f64,
-    /// Wind speed, in `m/s`.
+    /// As in [`MatchingResidualsInputs`].
     pub U: f64,
-    /// The natural frequency that all three motions share when perfectly tuned (ω_n), in `1/s`.
+    /// As in [`MatchingResidualsInputs`].
     pub omega_n: f64,
-    /// Scaled aerodynamic damping, dimensionless.
+    /// As in [`MatchingResidualsInputs`].
     pub S_xx: f64,
-    /// Scaled aerodynamic damping, dimensionless.
+    /// As in [`MatchingResidualsInputs`].
     pub S_xy: f64,
-    /// Scaled aerodynamic damping, dimensionless.
+    /// As in [`MatchingResidualsInputs`].
     pub S_yx: f64,
-    /// Scaled aerodynamic damping, dimensionless.
+    /// As in [`MatchingResidualsInputs`].
     pub S_yy: f64,
-    /// Scaled aerodynamic damping (S_xθ), dimensionless.
+    /// As in [`MatchingResidualsInputs`].
     pub S_xt: f64,
-    /// Scaled aerodynamic damping (S_yθ), dimensionless.
+    /// As in [`MatchingResidualsInputs`].
     pub S_yt: f64,
-    /// Scaled aerodynamic damping (S_θx), dimensionless.
+    /// As in [`MatchingResidualsInputs`].
     pub S_tx: f64,
-    /// Scaled aerodynamic damping (S_θy), dimensionless.
+    /// As in [`MatchingResidualsInputs`].
     pub S_ty: f64,
-    /// Scaled aerodynamic damping (S_θθ), dimensionless.
+    /// As in [`MatchingResidualsInputs`].
     pub S_tt: f64,
 }
 
@@ -140,56 +141,10 @@ pub struct MatchingResidualsOutputs<T> {
 }
 
 /// The inputs of [`matching_residuals_batch`]: slices of one length.
-#[derive(Clone, Copy, Debug)]
-pub struct MatchingResidualsSlices<'a> {
-    /// Mass per unit length, in `kg/m`.
-    pub m: &'a [f64],
-    /// Radius of gyration about the elastic centre O, in `m`.
-    pub r: &'a [f64],
-    /// Distance of the mass centre G from O, in `m`.
-    pub L_g: &'a [f64],
-    /// cos(α_g + θ_0), dimensionless.
-    pub cos_alpha_g_plus_theta_0: &'a [f64],
-    /// sin(α_g + θ_0), dimensionless.
-    pub sin_alpha_g_plus_theta_0: &'a [f64],
-    /// Density of air (ρ), in `kg/m³`.
-    pub rho: &'a [f64],
-    /// Reference dimension of the section, in `m`.
-    pub D: &'a [f64],
-    /// Wind speed, in `m/s`.
-    pub U: &'a [f64],
-    /// The natural frequency that all three motions share when perfectly tuned (ω_n), in `1/s`.
-    pub omega_n: &'a [f64],
-    /// Scaled aerodynamic damping, dimensionless.
-    pub S_xx: &'a [f64],
-    /// Scaled aerodynamic damping, dimensionless.
-    pub S_xy: &'a [f64],
-    /// Scaled aerodynamic damping, dimensionless.
-    pub S_yx: &'a [f64],
-    /// Scaled aerodynamic damping, dimensionless.
-    pub S_yy: &'a [f64],
-    /// Scaled aerodynamic damping (S_xθ), dimensionless.
-    pub S_xt: &'a [f64],
-    /// Scaled aerodynamic damping (S_yθ), dimensionless.
-    pub S_yt: &'a [f64],
-    /// Scaled aerodynamic damping (S_θx), dimensionless.
-    pub S_tx: &'a [f64],
-    /// Scaled aerodynamic damping (S_θy), dimensionless.
-    pub S_ty: &'a [f64],
-    /// Scaled aerodynamic damping (S_θθ), dimensionless.
-    pub S_tt: &'a [f64],
-}
+pub type MatchingResidualsSlices<'a> = MatchingResidualsInputs<&'a [f64]>;
 
 /// The outputs of [`matching_residuals_batch`]: slices of the length of the inputs.
-#[derive(Debug)]
-pub struct MatchingResidualsSlicesMut<'a> {
-    /// In `1/s²`.
-    pub R_1: &'a mut [f64],
-    /// In `1/s³`.
-    pub R_2: &'a mut [f64],
-    /// In `1/s⁴`.
-    pub R_3: &'a mut [f64],
-}
+pub type MatchingResidualsSlicesMut<'a> = MatchingResidualsOutputs<&'a mut [f64]>;
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
@@ -352,34 +307,6 @@ pub(super) fn matching_residuals_body<T: Arithmetic>(
 /// - `scale := diagonal(1, 1, r)`
 /// - `S := [S_xx, S_xy, S_xθ; S_yx, S_yy, S_yθ; S_θx, S_θy, S_θθ]`
 ///
-/// # Inputs
-///
-/// - `m`: Mass per unit length, in `kg/m`.
-/// - `r`: Radius of gyration about the elastic centre O, in `m`.
-/// - `L_g`: Distance of the mass centre G from O, in `m`.
-/// - `cos_alpha_g_plus_theta_0`: cos(α_g + θ_0), dimensionless.
-/// - `sin_alpha_g_plus_theta_0`: sin(α_g + θ_0), dimensionless.
-/// - `rho`: Density of air (ρ), in `kg/m³`.
-/// - `D`: Reference dimension of the section, in `m`.
-/// - `U`: Wind speed, in `m/s`.
-/// - `omega_n`: The natural frequency that all three motions share when perfectly tuned (ω_n),
-///   in `1/s`.
-/// - `S_xx`: Scaled aerodynamic damping, dimensionless.
-/// - `S_xy`: Scaled aerodynamic damping, dimensionless.
-/// - `S_yx`: Scaled aerodynamic damping, dimensionless.
-/// - `S_yy`: Scaled aerodynamic damping, dimensionless.
-/// - `S_xt`: Scaled aerodynamic damping (S_xθ), dimensionless.
-/// - `S_yt`: Scaled aerodynamic damping (S_yθ), dimensionless.
-/// - `S_tx`: Scaled aerodynamic damping (S_θx), dimensionless.
-/// - `S_ty`: Scaled aerodynamic damping (S_θy), dimensionless.
-/// - `S_tt`: Scaled aerodynamic damping (S_θθ), dimensionless.
-///
-/// # Outputs
-///
-/// - `R_1`: In `1/s²`.
-/// - `R_2`: In `1/s³`.
-/// - `R_3`: In `1/s⁴`.
-///
 /// # Conditions
 ///
 /// The derivation assumes:
@@ -440,26 +367,7 @@ pub fn matching_residuals(inputs: &MatchingResidualsInputs<f64>) -> MatchingResi
 pub fn matching_residuals_with_bound(
     inputs: &MatchingResidualsInputs<f64>,
 ) -> MatchingResidualsOutputs<Bounded> {
-    matching_residuals_body(&MatchingResidualsInputs {
-        m: Bounded::exact(inputs.m),
-        r: Bounded::exact(inputs.r),
-        L_g: Bounded::exact(inputs.L_g),
-        cos_alpha_g_plus_theta_0: Bounded::exact(inputs.cos_alpha_g_plus_theta_0),
-        sin_alpha_g_plus_theta_0: Bounded::exact(inputs.sin_alpha_g_plus_theta_0),
-        rho: Bounded::exact(inputs.rho),
-        D: Bounded::exact(inputs.D),
-        U: Bounded::exact(inputs.U),
-        omega_n: Bounded::exact(inputs.omega_n),
-        S_xx: Bounded::exact(inputs.S_xx),
-        S_xy: Bounded::exact(inputs.S_xy),
-        S_yx: Bounded::exact(inputs.S_yx),
-        S_yy: Bounded::exact(inputs.S_yy),
-        S_xt: Bounded::exact(inputs.S_xt),
-        S_yt: Bounded::exact(inputs.S_yt),
-        S_tx: Bounded::exact(inputs.S_tx),
-        S_ty: Bounded::exact(inputs.S_ty),
-        S_tt: Bounded::exact(inputs.S_tt),
-    })
+    matching_residuals_body(&Batch::inputs::<f64, _>(inputs, |_, value| Bounded::exact(*value)))
 }
 
 /// [`matching_residuals`] at many points, with the best instructions of this machine.
@@ -486,120 +394,69 @@ pub fn matching_residuals_batch_at(
     outputs: &mut MatchingResidualsSlicesMut<'_>,
     mode: Mode,
 ) -> Result<(), LengthMismatch> {
-    let points = inputs.m.len();
-    LengthMismatch::check("m", points, inputs.m.len())?;
-    LengthMismatch::check("r", points, inputs.r.len())?;
-    LengthMismatch::check("L_g", points, inputs.L_g.len())?;
-    LengthMismatch::check("cos_alpha_g_plus_theta_0", points, inputs.cos_alpha_g_plus_theta_0.len())?;
-    LengthMismatch::check("sin_alpha_g_plus_theta_0", points, inputs.sin_alpha_g_plus_theta_0.len())?;
-    LengthMismatch::check("rho", points, inputs.rho.len())?;
-    LengthMismatch::check("D", points, inputs.D.len())?;
-    LengthMismatch::check("U", points, inputs.U.len())?;
-    LengthMismatch::check("omega_n", points, inputs.omega_n.len())?;
-    LengthMismatch::check("S_xx", points, inputs.S_xx.len())?;
-    LengthMismatch::check("S_xy", points, inputs.S_xy.len())?;
-    LengthMismatch::check("S_yx", points, inputs.S_yx.len())?;
-    LengthMismatch::check("S_yy", points, inputs.S_yy.len())?;
-    LengthMismatch::check("S_xt", points, inputs.S_xt.len())?;
-    LengthMismatch::check("S_yt", points, inputs.S_yt.len())?;
-    LengthMismatch::check("S_tx", points, inputs.S_tx.len())?;
-    LengthMismatch::check("S_ty", points, inputs.S_ty.len())?;
-    LengthMismatch::check("S_tt", points, inputs.S_tt.len())?;
-    LengthMismatch::check("R_1", points, outputs.R_1.len())?;
-    LengthMismatch::check("R_2", points, outputs.R_2.len())?;
-    LengthMismatch::check("R_3", points, outputs.R_3.len())?;
-    level.run(mode, Batch { inputs, outputs });
-    Ok(())
+    batch::run::<Batch>(level, inputs, outputs, mode)
 }
 
-/// Slices of one length.
-struct Batch<'a, 'b, 'c> {
-    inputs: &'a MatchingResidualsSlices<'b>,
-    outputs: &'a mut MatchingResidualsSlicesMut<'c>,
-}
+/// What a batch needs to know.
+pub(super) struct Batch;
 
-impl Kernel for Batch<'_, '_, '_> {
+impl Batched for Batch {
+    type Inputs<T> = MatchingResidualsInputs<T>;
+    type Outputs<T> = MatchingResidualsOutputs<T>;
+
     #[inline(always)]
-    fn run<const N: usize, const FUSED: bool>(self) {
-        // That all lengths are this one is known to the compiler after this, so that it checks no bounds
-        // inside the loop.
-        let points = self.inputs.m.len();
-        let inputs = MatchingResidualsSlices {
-            m: &self.inputs.m[..points],
-            r: &self.inputs.r[..points],
-            L_g: &self.inputs.L_g[..points],
-            cos_alpha_g_plus_theta_0: &self.inputs.cos_alpha_g_plus_theta_0[..points],
-            sin_alpha_g_plus_theta_0: &self.inputs.sin_alpha_g_plus_theta_0[..points],
-            rho: &self.inputs.rho[..points],
-            D: &self.inputs.D[..points],
-            U: &self.inputs.U[..points],
-            omega_n: &self.inputs.omega_n[..points],
-            S_xx: &self.inputs.S_xx[..points],
-            S_xy: &self.inputs.S_xy[..points],
-            S_yx: &self.inputs.S_yx[..points],
-            S_yy: &self.inputs.S_yy[..points],
-            S_xt: &self.inputs.S_xt[..points],
-            S_yt: &self.inputs.S_yt[..points],
-            S_tx: &self.inputs.S_tx[..points],
-            S_ty: &self.inputs.S_ty[..points],
-            S_tt: &self.inputs.S_tt[..points],
-        };
-        let outputs = MatchingResidualsSlicesMut {
-            R_1: &mut self.outputs.R_1[..points],
-            R_2: &mut self.outputs.R_2[..points],
-            R_3: &mut self.outputs.R_3[..points],
-        };
-        let mut start = 0;
-        while points - start >= N {
-            let result = matching_residuals_body(&MatchingResidualsInputs {
-                m: Lanes::<N, FUSED>::load(inputs.m, start),
-                r: Lanes::<N, FUSED>::load(inputs.r, start),
-                L_g: Lanes::<N, FUSED>::load(inputs.L_g, start),
-                cos_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load(inputs.cos_alpha_g_plus_theta_0, start),
-                sin_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load(inputs.sin_alpha_g_plus_theta_0, start),
-                rho: Lanes::<N, FUSED>::load(inputs.rho, start),
-                D: Lanes::<N, FUSED>::load(inputs.D, start),
-                U: Lanes::<N, FUSED>::load(inputs.U, start),
-                omega_n: Lanes::<N, FUSED>::load(inputs.omega_n, start),
-                S_xx: Lanes::<N, FUSED>::load(inputs.S_xx, start),
-                S_xy: Lanes::<N, FUSED>::load(inputs.S_xy, start),
-                S_yx: Lanes::<N, FUSED>::load(inputs.S_yx, start),
-                S_yy: Lanes::<N, FUSED>::load(inputs.S_yy, start),
-                S_xt: Lanes::<N, FUSED>::load(inputs.S_xt, start),
-                S_yt: Lanes::<N, FUSED>::load(inputs.S_yt, start),
-                S_tx: Lanes::<N, FUSED>::load(inputs.S_tx, start),
-                S_ty: Lanes::<N, FUSED>::load(inputs.S_ty, start),
-                S_tt: Lanes::<N, FUSED>::load(inputs.S_tt, start),
-            });
-            result.R_1.store(outputs.R_1, start);
-            result.R_2.store(outputs.R_2, start);
-            result.R_3.store(outputs.R_3, start);
-            start += N;
+    fn inputs<'a, T: 'a, To>(
+        inputs: &'a MatchingResidualsInputs<T>,
+        mut make: impl FnMut(&'static str, &'a T) -> To,
+    ) -> MatchingResidualsInputs<To> {
+        MatchingResidualsInputs {
+            m: make("m", &inputs.m),
+            r: make("r", &inputs.r),
+            L_g: make("L_g", &inputs.L_g),
+            cos_alpha_g_plus_theta_0: make("cos_alpha_g_plus_theta_0", &inputs.cos_alpha_g_plus_theta_0),
+            sin_alpha_g_plus_theta_0: make("sin_alpha_g_plus_theta_0", &inputs.sin_alpha_g_plus_theta_0),
+            rho: make("rho", &inputs.rho),
+            D: make("D", &inputs.D),
+            U: make("U", &inputs.U),
+            omega_n: make("omega_n", &inputs.omega_n),
+            S_xx: make("S_xx", &inputs.S_xx),
+            S_xy: make("S_xy", &inputs.S_xy),
+            S_yx: make("S_yx", &inputs.S_yx),
+            S_yy: make("S_yy", &inputs.S_yy),
+            S_xt: make("S_xt", &inputs.S_xt),
+            S_yt: make("S_yt", &inputs.S_yt),
+            S_tx: make("S_tx", &inputs.S_tx),
+            S_ty: make("S_ty", &inputs.S_ty),
+            S_tt: make("S_tt", &inputs.S_tt),
         }
-        if start < points {
-            let result = matching_residuals_body(&MatchingResidualsInputs {
-                m: Lanes::<N, FUSED>::load_tail(inputs.m, start),
-                r: Lanes::<N, FUSED>::load_tail(inputs.r, start),
-                L_g: Lanes::<N, FUSED>::load_tail(inputs.L_g, start),
-                cos_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.cos_alpha_g_plus_theta_0, start),
-                sin_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.sin_alpha_g_plus_theta_0, start),
-                rho: Lanes::<N, FUSED>::load_tail(inputs.rho, start),
-                D: Lanes::<N, FUSED>::load_tail(inputs.D, start),
-                U: Lanes::<N, FUSED>::load_tail(inputs.U, start),
-                omega_n: Lanes::<N, FUSED>::load_tail(inputs.omega_n, start),
-                S_xx: Lanes::<N, FUSED>::load_tail(inputs.S_xx, start),
-                S_xy: Lanes::<N, FUSED>::load_tail(inputs.S_xy, start),
-                S_yx: Lanes::<N, FUSED>::load_tail(inputs.S_yx, start),
-                S_yy: Lanes::<N, FUSED>::load_tail(inputs.S_yy, start),
-                S_xt: Lanes::<N, FUSED>::load_tail(inputs.S_xt, start),
-                S_yt: Lanes::<N, FUSED>::load_tail(inputs.S_yt, start),
-                S_tx: Lanes::<N, FUSED>::load_tail(inputs.S_tx, start),
-                S_ty: Lanes::<N, FUSED>::load_tail(inputs.S_ty, start),
-                S_tt: Lanes::<N, FUSED>::load_tail(inputs.S_tt, start),
-            });
-            result.R_1.store_tail(outputs.R_1, start);
-            result.R_2.store_tail(outputs.R_2, start);
-            result.R_3.store_tail(outputs.R_3, start);
+    }
+
+    #[inline(always)]
+    fn outputs<'a, T: 'a, To>(
+        outputs: &'a mut MatchingResidualsOutputs<T>,
+        mut make: impl FnMut(&'static str, &'a mut T) -> To,
+    ) -> MatchingResidualsOutputs<To> {
+        MatchingResidualsOutputs {
+            R_1: make("R_1", &mut outputs.R_1),
+            R_2: make("R_2", &mut outputs.R_2),
+            R_3: make("R_3", &mut outputs.R_3),
         }
+    }
+
+    #[inline(always)]
+    fn pairs<T, Other>(
+        outputs: MatchingResidualsOutputs<T>,
+        others: MatchingResidualsOutputs<Other>,
+    ) -> MatchingResidualsOutputs<(T, Other)> {
+        MatchingResidualsOutputs {
+            R_1: (outputs.R_1, others.R_1),
+            R_2: (outputs.R_2, others.R_2),
+            R_3: (outputs.R_3, others.R_3),
+        }
+    }
+
+    #[inline(always)]
+    fn body<T: Lanes>(inputs: &MatchingResidualsInputs<T>) -> MatchingResidualsOutputs<T> {
+        matching_residuals_body(inputs)
     }
 }

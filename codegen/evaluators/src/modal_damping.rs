@@ -13,8 +13,9 @@
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
+use super::batch::{self, Batched};
 use super::bounded::Bounded;
-use super::dispatch::{Kernel, LengthMismatch, Level, Mode};
+use super::dispatch::{LengthMismatch, Level, Mode};
 use super::lanes::Lanes;
 
 /// The inputs of [`modal_damping`]; made [from angles](ModalDampingAngles), or given.
@@ -69,47 +70,47 @@ pub struct ModalDampingInputs<T> {
 /// `ModalDampingInputs::from(&angles)` takes these once; it needs the feature `std`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModalDampingAngles {
-    /// Mass per unit length, in `kg/m`.
+    /// As in [`ModalDampingInputs`].
     pub m: f64,
-    /// Radius of gyration about the elastic centre O, in `m`.
+    /// As in [`ModalDampingInputs`].
     pub r: f64,
-    /// Distance of the mass centre G from O, in `m`.
+    /// As in [`ModalDampingInputs`].
     pub L_g: f64,
     /// Angle of the mass centre G from the reference line of the section (α_g), in `rad`.
     pub alpha_g: f64,
     /// Turn of the section at rest (θ_0), in `rad`.
     pub theta_0: f64,
-    /// Structural damping ratios (ζ_x), dimensionless.
+    /// As in [`ModalDampingInputs`].
     pub zeta_x: f64,
-    /// Structural damping ratios (ζ_y), dimensionless.
+    /// As in [`ModalDampingInputs`].
     pub zeta_y: f64,
-    /// Structural damping ratios (ζ_θ), dimensionless.
+    /// As in [`ModalDampingInputs`].
     pub zeta_theta: f64,
-    /// Density of air (ρ), in `kg/m³`.
+    /// As in [`ModalDampingInputs`].
     pub rho: f64,
-    /// Reference dimension of the section, in `m`.
+    /// As in [`ModalDampingInputs`].
     pub D: f64,
-    /// Wind speed, in `m/s`.
+    /// As in [`ModalDampingInputs`].
     pub U: f64,
-    /// The natural frequency that all three motions share when perfectly tuned (ω_n), in `1/s`.
+    /// As in [`ModalDampingInputs`].
     pub omega_n: f64,
-    /// Scaled aerodynamic damping, dimensionless.
+    /// As in [`ModalDampingInputs`].
     pub S_xx: f64,
-    /// Scaled aerodynamic damping, dimensionless.
+    /// As in [`ModalDampingInputs`].
     pub S_xy: f64,
-    /// Scaled aerodynamic damping, dimensionless.
+    /// As in [`ModalDampingInputs`].
     pub S_yx: f64,
-    /// Scaled aerodynamic damping, dimensionless.
+    /// As in [`ModalDampingInputs`].
     pub S_yy: f64,
-    /// Scaled aerodynamic damping (S_xθ), dimensionless.
+    /// As in [`ModalDampingInputs`].
     pub S_xt: f64,
-    /// Scaled aerodynamic damping (S_yθ), dimensionless.
+    /// As in [`ModalDampingInputs`].
     pub S_yt: f64,
-    /// Scaled aerodynamic damping (S_θx), dimensionless.
+    /// As in [`ModalDampingInputs`].
     pub S_tx: f64,
-    /// Scaled aerodynamic damping (S_θy), dimensionless.
+    /// As in [`ModalDampingInputs`].
     pub S_ty: f64,
-    /// Scaled aerodynamic damping (S_θθ), dimensionless.
+    /// As in [`ModalDampingInputs`].
     pub S_tt: f64,
 }
 
@@ -174,80 +175,10 @@ pub struct ModalDampingOutputs<T> {
 }
 
 /// The inputs of [`modal_damping_batch`]: slices of one length.
-#[derive(Clone, Copy, Debug)]
-pub struct ModalDampingSlices<'a> {
-    /// Mass per unit length, in `kg/m`.
-    pub m: &'a [f64],
-    /// Radius of gyration about the elastic centre O, in `m`.
-    pub r: &'a [f64],
-    /// Distance of the mass centre G from O, in `m`.
-    pub L_g: &'a [f64],
-    /// cos(α_g + θ_0), dimensionless.
-    pub cos_alpha_g_plus_theta_0: &'a [f64],
-    /// sin(α_g + θ_0), dimensionless.
-    pub sin_alpha_g_plus_theta_0: &'a [f64],
-    /// Structural damping ratios (ζ_x), dimensionless.
-    pub zeta_x: &'a [f64],
-    /// Structural damping ratios (ζ_y), dimensionless.
-    pub zeta_y: &'a [f64],
-    /// Structural damping ratios (ζ_θ), dimensionless.
-    pub zeta_theta: &'a [f64],
-    /// Density of air (ρ), in `kg/m³`.
-    pub rho: &'a [f64],
-    /// Reference dimension of the section, in `m`.
-    pub D: &'a [f64],
-    /// Wind speed, in `m/s`.
-    pub U: &'a [f64],
-    /// The natural frequency that all three motions share when perfectly tuned (ω_n), in `1/s`.
-    pub omega_n: &'a [f64],
-    /// Scaled aerodynamic damping, dimensionless.
-    pub S_xx: &'a [f64],
-    /// Scaled aerodynamic damping, dimensionless.
-    pub S_xy: &'a [f64],
-    /// Scaled aerodynamic damping, dimensionless.
-    pub S_yx: &'a [f64],
-    /// Scaled aerodynamic damping, dimensionless.
-    pub S_yy: &'a [f64],
-    /// Scaled aerodynamic damping (S_xθ), dimensionless.
-    pub S_xt: &'a [f64],
-    /// Scaled aerodynamic damping (S_yθ), dimensionless.
-    pub S_yt: &'a [f64],
-    /// Scaled aerodynamic damping (S_θx), dimensionless.
-    pub S_tx: &'a [f64],
-    /// Scaled aerodynamic damping (S_θy), dimensionless.
-    pub S_ty: &'a [f64],
-    /// Scaled aerodynamic damping (S_θθ), dimensionless.
-    pub S_tt: &'a [f64],
-}
+pub type ModalDampingSlices<'a> = ModalDampingInputs<&'a [f64]>;
 
 /// The outputs of [`modal_damping_batch`]: slices of the length of the inputs.
-#[derive(Debug)]
-pub struct ModalDampingSlicesMut<'a> {
-    /// In `1/s`.
-    pub B_11: &'a mut [f64],
-    /// In `1/s`.
-    pub B_12: &'a mut [f64],
-    /// In `1/s`.
-    pub B_13: &'a mut [f64],
-    /// In `1/s`.
-    pub B_21: &'a mut [f64],
-    /// In `1/s`.
-    pub B_22: &'a mut [f64],
-    /// In `1/s`.
-    pub B_23: &'a mut [f64],
-    /// In `1/s`.
-    pub B_31: &'a mut [f64],
-    /// In `1/s`.
-    pub B_32: &'a mut [f64],
-    /// In `1/s`.
-    pub B_33: &'a mut [f64],
-    /// ν_2, in `1/s`.
-    pub nu_2: &'a mut [f64],
-    /// Δ_1, in `1/s`.
-    pub Delta_1: &'a mut [f64],
-    /// Δ_3, in `1/s`.
-    pub Delta_3: &'a mut [f64],
-}
+pub type ModalDampingSlicesMut<'a> = ModalDampingOutputs<&'a mut [f64]>;
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
@@ -385,46 +316,6 @@ pub(super) fn modal_damping_body<T: Arithmetic>(
 /// - `J_θ := J_G + m·L_g²`
 /// - `…`
 ///
-/// # Inputs
-///
-/// - `m`: Mass per unit length, in `kg/m`.
-/// - `r`: Radius of gyration about the elastic centre O, in `m`.
-/// - `L_g`: Distance of the mass centre G from O, in `m`.
-/// - `cos_alpha_g_plus_theta_0`: cos(α_g + θ_0), dimensionless.
-/// - `sin_alpha_g_plus_theta_0`: sin(α_g + θ_0), dimensionless.
-/// - `zeta_x`: Structural damping ratios (ζ_x), dimensionless.
-/// - `zeta_y`: Structural damping ratios (ζ_y), dimensionless.
-/// - `zeta_theta`: Structural damping ratios (ζ_θ), dimensionless.
-/// - `rho`: Density of air (ρ), in `kg/m³`.
-/// - `D`: Reference dimension of the section, in `m`.
-/// - `U`: Wind speed, in `m/s`.
-/// - `omega_n`: The natural frequency that all three motions share when perfectly tuned (ω_n),
-///   in `1/s`.
-/// - `S_xx`: Scaled aerodynamic damping, dimensionless.
-/// - `S_xy`: Scaled aerodynamic damping, dimensionless.
-/// - `S_yx`: Scaled aerodynamic damping, dimensionless.
-/// - `S_yy`: Scaled aerodynamic damping, dimensionless.
-/// - `S_xt`: Scaled aerodynamic damping (S_xθ), dimensionless.
-/// - `S_yt`: Scaled aerodynamic damping (S_yθ), dimensionless.
-/// - `S_tx`: Scaled aerodynamic damping (S_θx), dimensionless.
-/// - `S_ty`: Scaled aerodynamic damping (S_θy), dimensionless.
-/// - `S_tt`: Scaled aerodynamic damping (S_θθ), dimensionless.
-///
-/// # Outputs
-///
-/// - `B_11`: In `1/s`.
-/// - `B_12`: In `1/s`.
-/// - `B_13`: In `1/s`.
-/// - `B_21`: In `1/s`.
-/// - `B_22`: In `1/s`.
-/// - `B_23`: In `1/s`.
-/// - `B_31`: In `1/s`.
-/// - `B_32`: In `1/s`.
-/// - `B_33`: In `1/s`.
-/// - `nu_2`: ν_2, in `1/s`.
-/// - `Delta_1`: Δ_1, in `1/s`.
-/// - `Delta_3`: Δ_3, in `1/s`.
-///
 /// # Conditions
 ///
 /// The derivation assumes:
@@ -495,29 +386,7 @@ pub fn modal_damping(inputs: &ModalDampingInputs<f64>) -> ModalDampingOutputs<f6
 pub fn modal_damping_with_bound(
     inputs: &ModalDampingInputs<f64>,
 ) -> ModalDampingOutputs<Bounded> {
-    modal_damping_body(&ModalDampingInputs {
-        m: Bounded::exact(inputs.m),
-        r: Bounded::exact(inputs.r),
-        L_g: Bounded::exact(inputs.L_g),
-        cos_alpha_g_plus_theta_0: Bounded::exact(inputs.cos_alpha_g_plus_theta_0),
-        sin_alpha_g_plus_theta_0: Bounded::exact(inputs.sin_alpha_g_plus_theta_0),
-        zeta_x: Bounded::exact(inputs.zeta_x),
-        zeta_y: Bounded::exact(inputs.zeta_y),
-        zeta_theta: Bounded::exact(inputs.zeta_theta),
-        rho: Bounded::exact(inputs.rho),
-        D: Bounded::exact(inputs.D),
-        U: Bounded::exact(inputs.U),
-        omega_n: Bounded::exact(inputs.omega_n),
-        S_xx: Bounded::exact(inputs.S_xx),
-        S_xy: Bounded::exact(inputs.S_xy),
-        S_yx: Bounded::exact(inputs.S_yx),
-        S_yy: Bounded::exact(inputs.S_yy),
-        S_xt: Bounded::exact(inputs.S_xt),
-        S_yt: Bounded::exact(inputs.S_yt),
-        S_tx: Bounded::exact(inputs.S_tx),
-        S_ty: Bounded::exact(inputs.S_ty),
-        S_tt: Bounded::exact(inputs.S_tt),
-    })
+    modal_damping_body(&Batch::inputs::<f64, _>(inputs, |_, value| Bounded::exact(*value)))
 }
 
 /// [`modal_damping`] at many points, with the best instructions of this machine.
@@ -544,168 +413,90 @@ pub fn modal_damping_batch_at(
     outputs: &mut ModalDampingSlicesMut<'_>,
     mode: Mode,
 ) -> Result<(), LengthMismatch> {
-    let points = inputs.m.len();
-    LengthMismatch::check("m", points, inputs.m.len())?;
-    LengthMismatch::check("r", points, inputs.r.len())?;
-    LengthMismatch::check("L_g", points, inputs.L_g.len())?;
-    LengthMismatch::check("cos_alpha_g_plus_theta_0", points, inputs.cos_alpha_g_plus_theta_0.len())?;
-    LengthMismatch::check("sin_alpha_g_plus_theta_0", points, inputs.sin_alpha_g_plus_theta_0.len())?;
-    LengthMismatch::check("zeta_x", points, inputs.zeta_x.len())?;
-    LengthMismatch::check("zeta_y", points, inputs.zeta_y.len())?;
-    LengthMismatch::check("zeta_theta", points, inputs.zeta_theta.len())?;
-    LengthMismatch::check("rho", points, inputs.rho.len())?;
-    LengthMismatch::check("D", points, inputs.D.len())?;
-    LengthMismatch::check("U", points, inputs.U.len())?;
-    LengthMismatch::check("omega_n", points, inputs.omega_n.len())?;
-    LengthMismatch::check("S_xx", points, inputs.S_xx.len())?;
-    LengthMismatch::check("S_xy", points, inputs.S_xy.len())?;
-    LengthMismatch::check("S_yx", points, inputs.S_yx.len())?;
-    LengthMismatch::check("S_yy", points, inputs.S_yy.len())?;
-    LengthMismatch::check("S_xt", points, inputs.S_xt.len())?;
-    LengthMismatch::check("S_yt", points, inputs.S_yt.len())?;
-    LengthMismatch::check("S_tx", points, inputs.S_tx.len())?;
-    LengthMismatch::check("S_ty", points, inputs.S_ty.len())?;
-    LengthMismatch::check("S_tt", points, inputs.S_tt.len())?;
-    LengthMismatch::check("B_11", points, outputs.B_11.len())?;
-    LengthMismatch::check("B_12", points, outputs.B_12.len())?;
-    LengthMismatch::check("B_13", points, outputs.B_13.len())?;
-    LengthMismatch::check("B_21", points, outputs.B_21.len())?;
-    LengthMismatch::check("B_22", points, outputs.B_22.len())?;
-    LengthMismatch::check("B_23", points, outputs.B_23.len())?;
-    LengthMismatch::check("B_31", points, outputs.B_31.len())?;
-    LengthMismatch::check("B_32", points, outputs.B_32.len())?;
-    LengthMismatch::check("B_33", points, outputs.B_33.len())?;
-    LengthMismatch::check("nu_2", points, outputs.nu_2.len())?;
-    LengthMismatch::check("Delta_1", points, outputs.Delta_1.len())?;
-    LengthMismatch::check("Delta_3", points, outputs.Delta_3.len())?;
-    level.run(mode, Batch { inputs, outputs });
-    Ok(())
+    batch::run::<Batch>(level, inputs, outputs, mode)
 }
 
-/// Slices of one length.
-struct Batch<'a, 'b, 'c> {
-    inputs: &'a ModalDampingSlices<'b>,
-    outputs: &'a mut ModalDampingSlicesMut<'c>,
-}
+/// What a batch needs to know.
+pub(super) struct Batch;
 
-impl Kernel for Batch<'_, '_, '_> {
+impl Batched for Batch {
+    type Inputs<T> = ModalDampingInputs<T>;
+    type Outputs<T> = ModalDampingOutputs<T>;
+
     #[inline(always)]
-    fn run<const N: usize, const FUSED: bool>(self) {
-        // That all lengths are this one is known to the compiler after this, so that it checks no bounds
-        // inside the loop.
-        let points = self.inputs.m.len();
-        let inputs = ModalDampingSlices {
-            m: &self.inputs.m[..points],
-            r: &self.inputs.r[..points],
-            L_g: &self.inputs.L_g[..points],
-            cos_alpha_g_plus_theta_0: &self.inputs.cos_alpha_g_plus_theta_0[..points],
-            sin_alpha_g_plus_theta_0: &self.inputs.sin_alpha_g_plus_theta_0[..points],
-            zeta_x: &self.inputs.zeta_x[..points],
-            zeta_y: &self.inputs.zeta_y[..points],
-            zeta_theta: &self.inputs.zeta_theta[..points],
-            rho: &self.inputs.rho[..points],
-            D: &self.inputs.D[..points],
-            U: &self.inputs.U[..points],
-            omega_n: &self.inputs.omega_n[..points],
-            S_xx: &self.inputs.S_xx[..points],
-            S_xy: &self.inputs.S_xy[..points],
-            S_yx: &self.inputs.S_yx[..points],
-            S_yy: &self.inputs.S_yy[..points],
-            S_xt: &self.inputs.S_xt[..points],
-            S_yt: &self.inputs.S_yt[..points],
-            S_tx: &self.inputs.S_tx[..points],
-            S_ty: &self.inputs.S_ty[..points],
-            S_tt: &self.inputs.S_tt[..points],
-        };
-        let outputs = ModalDampingSlicesMut {
-            B_11: &mut self.outputs.B_11[..points],
-            B_12: &mut self.outputs.B_12[..points],
-            B_13: &mut self.outputs.B_13[..points],
-            B_21: &mut self.outputs.B_21[..points],
-            B_22: &mut self.outputs.B_22[..points],
-            B_23: &mut self.outputs.B_23[..points],
-            B_31: &mut self.outputs.B_31[..points],
-            B_32: &mut self.outputs.B_32[..points],
-            B_33: &mut self.outputs.B_33[..points],
-            nu_2: &mut self.outputs.nu_2[..points],
-            Delta_1: &mut self.outputs.Delta_1[..points],
-            Delta_3: &mut self.outputs.Delta_3[..points],
-        };
-        let mut start = 0;
-        while points - start >= N {
-            let result = modal_damping_body(&ModalDampingInputs {
-                m: Lanes::<N, FUSED>::load(inputs.m, start),
-                r: Lanes::<N, FUSED>::load(inputs.r, start),
-                L_g: Lanes::<N, FUSED>::load(inputs.L_g, start),
-                cos_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load(inputs.cos_alpha_g_plus_theta_0, start),
-                sin_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load(inputs.sin_alpha_g_plus_theta_0, start),
-                zeta_x: Lanes::<N, FUSED>::load(inputs.zeta_x, start),
-                zeta_y: Lanes::<N, FUSED>::load(inputs.zeta_y, start),
-                zeta_theta: Lanes::<N, FUSED>::load(inputs.zeta_theta, start),
-                rho: Lanes::<N, FUSED>::load(inputs.rho, start),
-                D: Lanes::<N, FUSED>::load(inputs.D, start),
-                U: Lanes::<N, FUSED>::load(inputs.U, start),
-                omega_n: Lanes::<N, FUSED>::load(inputs.omega_n, start),
-                S_xx: Lanes::<N, FUSED>::load(inputs.S_xx, start),
-                S_xy: Lanes::<N, FUSED>::load(inputs.S_xy, start),
-                S_yx: Lanes::<N, FUSED>::load(inputs.S_yx, start),
-                S_yy: Lanes::<N, FUSED>::load(inputs.S_yy, start),
-                S_xt: Lanes::<N, FUSED>::load(inputs.S_xt, start),
-                S_yt: Lanes::<N, FUSED>::load(inputs.S_yt, start),
-                S_tx: Lanes::<N, FUSED>::load(inputs.S_tx, start),
-                S_ty: Lanes::<N, FUSED>::load(inputs.S_ty, start),
-                S_tt: Lanes::<N, FUSED>::load(inputs.S_tt, start),
-            });
-            result.B_11.store(outputs.B_11, start);
-            result.B_12.store(outputs.B_12, start);
-            result.B_13.store(outputs.B_13, start);
-            result.B_21.store(outputs.B_21, start);
-            result.B_22.store(outputs.B_22, start);
-            result.B_23.store(outputs.B_23, start);
-            result.B_31.store(outputs.B_31, start);
-            result.B_32.store(outputs.B_32, start);
-            result.B_33.store(outputs.B_33, start);
-            result.nu_2.store(outputs.nu_2, start);
-            result.Delta_1.store(outputs.Delta_1, start);
-            result.Delta_3.store(outputs.Delta_3, start);
-            start += N;
+    fn inputs<'a, T: 'a, To>(
+        inputs: &'a ModalDampingInputs<T>,
+        mut make: impl FnMut(&'static str, &'a T) -> To,
+    ) -> ModalDampingInputs<To> {
+        ModalDampingInputs {
+            m: make("m", &inputs.m),
+            r: make("r", &inputs.r),
+            L_g: make("L_g", &inputs.L_g),
+            cos_alpha_g_plus_theta_0: make("cos_alpha_g_plus_theta_0", &inputs.cos_alpha_g_plus_theta_0),
+            sin_alpha_g_plus_theta_0: make("sin_alpha_g_plus_theta_0", &inputs.sin_alpha_g_plus_theta_0),
+            zeta_x: make("zeta_x", &inputs.zeta_x),
+            zeta_y: make("zeta_y", &inputs.zeta_y),
+            zeta_theta: make("zeta_theta", &inputs.zeta_theta),
+            rho: make("rho", &inputs.rho),
+            D: make("D", &inputs.D),
+            U: make("U", &inputs.U),
+            omega_n: make("omega_n", &inputs.omega_n),
+            S_xx: make("S_xx", &inputs.S_xx),
+            S_xy: make("S_xy", &inputs.S_xy),
+            S_yx: make("S_yx", &inputs.S_yx),
+            S_yy: make("S_yy", &inputs.S_yy),
+            S_xt: make("S_xt", &inputs.S_xt),
+            S_yt: make("S_yt", &inputs.S_yt),
+            S_tx: make("S_tx", &inputs.S_tx),
+            S_ty: make("S_ty", &inputs.S_ty),
+            S_tt: make("S_tt", &inputs.S_tt),
         }
-        if start < points {
-            let result = modal_damping_body(&ModalDampingInputs {
-                m: Lanes::<N, FUSED>::load_tail(inputs.m, start),
-                r: Lanes::<N, FUSED>::load_tail(inputs.r, start),
-                L_g: Lanes::<N, FUSED>::load_tail(inputs.L_g, start),
-                cos_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.cos_alpha_g_plus_theta_0, start),
-                sin_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.sin_alpha_g_plus_theta_0, start),
-                zeta_x: Lanes::<N, FUSED>::load_tail(inputs.zeta_x, start),
-                zeta_y: Lanes::<N, FUSED>::load_tail(inputs.zeta_y, start),
-                zeta_theta: Lanes::<N, FUSED>::load_tail(inputs.zeta_theta, start),
-                rho: Lanes::<N, FUSED>::load_tail(inputs.rho, start),
-                D: Lanes::<N, FUSED>::load_tail(inputs.D, start),
-                U: Lanes::<N, FUSED>::load_tail(inputs.U, start),
-                omega_n: Lanes::<N, FUSED>::load_tail(inputs.omega_n, start),
-                S_xx: Lanes::<N, FUSED>::load_tail(inputs.S_xx, start),
-                S_xy: Lanes::<N, FUSED>::load_tail(inputs.S_xy, start),
-                S_yx: Lanes::<N, FUSED>::load_tail(inputs.S_yx, start),
-                S_yy: Lanes::<N, FUSED>::load_tail(inputs.S_yy, start),
-                S_xt: Lanes::<N, FUSED>::load_tail(inputs.S_xt, start),
-                S_yt: Lanes::<N, FUSED>::load_tail(inputs.S_yt, start),
-                S_tx: Lanes::<N, FUSED>::load_tail(inputs.S_tx, start),
-                S_ty: Lanes::<N, FUSED>::load_tail(inputs.S_ty, start),
-                S_tt: Lanes::<N, FUSED>::load_tail(inputs.S_tt, start),
-            });
-            result.B_11.store_tail(outputs.B_11, start);
-            result.B_12.store_tail(outputs.B_12, start);
-            result.B_13.store_tail(outputs.B_13, start);
-            result.B_21.store_tail(outputs.B_21, start);
-            result.B_22.store_tail(outputs.B_22, start);
-            result.B_23.store_tail(outputs.B_23, start);
-            result.B_31.store_tail(outputs.B_31, start);
-            result.B_32.store_tail(outputs.B_32, start);
-            result.B_33.store_tail(outputs.B_33, start);
-            result.nu_2.store_tail(outputs.nu_2, start);
-            result.Delta_1.store_tail(outputs.Delta_1, start);
-            result.Delta_3.store_tail(outputs.Delta_3, start);
+    }
+
+    #[inline(always)]
+    fn outputs<'a, T: 'a, To>(
+        outputs: &'a mut ModalDampingOutputs<T>,
+        mut make: impl FnMut(&'static str, &'a mut T) -> To,
+    ) -> ModalDampingOutputs<To> {
+        ModalDampingOutputs {
+            B_11: make("B_11", &mut outputs.B_11),
+            B_12: make("B_12", &mut outputs.B_12),
+            B_13: make("B_13", &mut outputs.B_13),
+            B_21: make("B_21", &mut outputs.B_21),
+            B_22: make("B_22", &mut outputs.B_22),
+            B_23: make("B_23", &mut outputs.B_23),
+            B_31: make("B_31", &mut outputs.B_31),
+            B_32: make("B_32", &mut outputs.B_32),
+            B_33: make("B_33", &mut outputs.B_33),
+            nu_2: make("nu_2", &mut outputs.nu_2),
+            Delta_1: make("Delta_1", &mut outputs.Delta_1),
+            Delta_3: make("Delta_3", &mut outputs.Delta_3),
         }
+    }
+
+    #[inline(always)]
+    fn pairs<T, Other>(
+        outputs: ModalDampingOutputs<T>,
+        others: ModalDampingOutputs<Other>,
+    ) -> ModalDampingOutputs<(T, Other)> {
+        ModalDampingOutputs {
+            B_11: (outputs.B_11, others.B_11),
+            B_12: (outputs.B_12, others.B_12),
+            B_13: (outputs.B_13, others.B_13),
+            B_21: (outputs.B_21, others.B_21),
+            B_22: (outputs.B_22, others.B_22),
+            B_23: (outputs.B_23, others.B_23),
+            B_31: (outputs.B_31, others.B_31),
+            B_32: (outputs.B_32, others.B_32),
+            B_33: (outputs.B_33, others.B_33),
+            nu_2: (outputs.nu_2, others.nu_2),
+            Delta_1: (outputs.Delta_1, others.Delta_1),
+            Delta_3: (outputs.Delta_3, others.Delta_3),
+        }
+    }
+
+    #[inline(always)]
+    fn body<T: Lanes>(inputs: &ModalDampingInputs<T>) -> ModalDampingOutputs<T> {
+        modal_damping_body(inputs)
     }
 }

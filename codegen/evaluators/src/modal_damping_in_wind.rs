@@ -13,8 +13,9 @@
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
+use super::batch::{self, Batched};
 use super::bounded::Bounded;
-use super::dispatch::{Kernel, LengthMismatch, Level, Mode};
+use super::dispatch::{LengthMismatch, Level, Mode};
 use super::lanes::Lanes;
 
 /// The inputs of [`modal_damping_in_wind`]; made [from angles](ModalDampingInWindAngles), or given.
@@ -76,11 +77,11 @@ pub struct ModalDampingInWindInputs<T> {
 /// `ModalDampingInWindInputs::from(&angles)` takes these once; it needs the feature `std`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModalDampingInWindAngles {
-    /// Mass per unit length, in `kg/m`.
+    /// As in [`ModalDampingInWindInputs`].
     pub m: f64,
-    /// Radius of gyration about the elastic centre O, in `m`.
+    /// As in [`ModalDampingInWindInputs`].
     pub r: f64,
-    /// Distance of the mass centre G from O, in `m`.
+    /// As in [`ModalDampingInWindInputs`].
     pub L_g: f64,
     /// Angle of the wind to the x axis (α_0), in `rad`.
     pub alpha_0: f64,
@@ -90,36 +91,33 @@ pub struct ModalDampingInWindAngles {
     pub theta_0: f64,
     /// Angle of the aerodynamic centre A from the reference line (γ_r), in `rad`.
     pub gamma_r: f64,
-    /// Structural damping ratios (ζ_x), dimensionless.
+    /// As in [`ModalDampingInWindInputs`].
     pub zeta_x: f64,
-    /// Structural damping ratios (ζ_y), dimensionless.
+    /// As in [`ModalDampingInWindInputs`].
     pub zeta_y: f64,
-    /// Structural damping ratios (ζ_θ), dimensionless.
+    /// As in [`ModalDampingInWindInputs`].
     pub zeta_theta: f64,
-    /// Density of air (ρ), in `kg/m³`.
+    /// As in [`ModalDampingInWindInputs`].
     pub rho: f64,
-    /// Reference dimension of the section, in `m`.
+    /// As in [`ModalDampingInWindInputs`].
     pub D: f64,
-    /// Wind speed, in `m/s`.
+    /// As in [`ModalDampingInWindInputs`].
     pub U: f64,
-    /// Distance of the aerodynamic centre A from O, in `m`.
+    /// As in [`ModalDampingInWindInputs`].
     pub L_a: f64,
-    /// Drag coefficient at the angle of attack α_0 + θ_0, dimensionless.
+    /// As in [`ModalDampingInWindInputs`].
     pub C_D: f64,
-    /// Lift coefficient at the angle of attack α_0 + θ_0, dimensionless.
+    /// As in [`ModalDampingInWindInputs`].
     pub C_L: f64,
-    /// Derivative of C_D by its angle in radians; drag coefficient at the angle of attack α_0 + θ_0
-    /// (C_D′), dimensionless.
+    /// As in [`ModalDampingInWindInputs`].
     pub dC_D: f64,
-    /// Derivative of C_L by its angle in radians; lift coefficient at the angle of attack α_0 + θ_0
-    /// (C_L′), dimensionless.
+    /// As in [`ModalDampingInWindInputs`].
     pub dC_L: f64,
-    /// Moment coefficient at the angle of attack α_0 + θ_0, dimensionless.
+    /// As in [`ModalDampingInWindInputs`].
     pub C_M: f64,
-    /// Derivative of C_M by its angle in radians; moment coefficient at the angle of attack α_0 +
-    /// θ_0 (C_M′), dimensionless.
+    /// As in [`ModalDampingInWindInputs`].
     pub dC_M: f64,
-    /// The natural frequency that all three motions share when perfectly tuned (ω_n), in `1/s`.
+    /// As in [`ModalDampingInWindInputs`].
     pub omega_n: f64,
 }
 
@@ -188,87 +186,10 @@ pub struct ModalDampingInWindOutputs<T> {
 }
 
 /// The inputs of [`modal_damping_in_wind_batch`]: slices of one length.
-#[derive(Clone, Copy, Debug)]
-pub struct ModalDampingInWindSlices<'a> {
-    /// Mass per unit length, in `kg/m`.
-    pub m: &'a [f64],
-    /// Radius of gyration about the elastic centre O, in `m`.
-    pub r: &'a [f64],
-    /// Distance of the mass centre G from O, in `m`.
-    pub L_g: &'a [f64],
-    /// cos(α_0), dimensionless.
-    pub cos_alpha_0: &'a [f64],
-    /// sin(α_0), dimensionless.
-    pub sin_alpha_0: &'a [f64],
-    /// cos(α_g + θ_0), dimensionless.
-    pub cos_alpha_g_plus_theta_0: &'a [f64],
-    /// sin(α_g + θ_0), dimensionless.
-    pub sin_alpha_g_plus_theta_0: &'a [f64],
-    /// cos(γ_r + θ_0), dimensionless.
-    pub cos_gamma_r_plus_theta_0: &'a [f64],
-    /// sin(γ_r + θ_0), dimensionless.
-    pub sin_gamma_r_plus_theta_0: &'a [f64],
-    /// Structural damping ratios (ζ_x), dimensionless.
-    pub zeta_x: &'a [f64],
-    /// Structural damping ratios (ζ_y), dimensionless.
-    pub zeta_y: &'a [f64],
-    /// Structural damping ratios (ζ_θ), dimensionless.
-    pub zeta_theta: &'a [f64],
-    /// Density of air (ρ), in `kg/m³`.
-    pub rho: &'a [f64],
-    /// Reference dimension of the section, in `m`.
-    pub D: &'a [f64],
-    /// Wind speed, in `m/s`.
-    pub U: &'a [f64],
-    /// Distance of the aerodynamic centre A from O, in `m`.
-    pub L_a: &'a [f64],
-    /// Drag coefficient at the angle of attack α_0 + θ_0, dimensionless.
-    pub C_D: &'a [f64],
-    /// Lift coefficient at the angle of attack α_0 + θ_0, dimensionless.
-    pub C_L: &'a [f64],
-    /// Derivative of C_D by its angle in radians; drag coefficient at the angle of attack α_0 + θ_0
-    /// (C_D′), dimensionless.
-    pub dC_D: &'a [f64],
-    /// Derivative of C_L by its angle in radians; lift coefficient at the angle of attack α_0 + θ_0
-    /// (C_L′), dimensionless.
-    pub dC_L: &'a [f64],
-    /// Moment coefficient at the angle of attack α_0 + θ_0, dimensionless.
-    pub C_M: &'a [f64],
-    /// Derivative of C_M by its angle in radians; moment coefficient at the angle of attack α_0 +
-    /// θ_0 (C_M′), dimensionless.
-    pub dC_M: &'a [f64],
-    /// The natural frequency that all three motions share when perfectly tuned (ω_n), in `1/s`.
-    pub omega_n: &'a [f64],
-}
+pub type ModalDampingInWindSlices<'a> = ModalDampingInWindInputs<&'a [f64]>;
 
 /// The outputs of [`modal_damping_in_wind_batch`]: slices of the length of the inputs.
-#[derive(Debug)]
-pub struct ModalDampingInWindSlicesMut<'a> {
-    /// In `1/s`.
-    pub B_11: &'a mut [f64],
-    /// In `1/s`.
-    pub B_12: &'a mut [f64],
-    /// In `1/s`.
-    pub B_13: &'a mut [f64],
-    /// In `1/s`.
-    pub B_21: &'a mut [f64],
-    /// In `1/s`.
-    pub B_22: &'a mut [f64],
-    /// In `1/s`.
-    pub B_23: &'a mut [f64],
-    /// In `1/s`.
-    pub B_31: &'a mut [f64],
-    /// In `1/s`.
-    pub B_32: &'a mut [f64],
-    /// In `1/s`.
-    pub B_33: &'a mut [f64],
-    /// ν_2, in `1/s`.
-    pub nu_2: &'a mut [f64],
-    /// Δ_1, in `1/s`.
-    pub Delta_1: &'a mut [f64],
-    /// Δ_3, in `1/s`.
-    pub Delta_3: &'a mut [f64],
-}
+pub type ModalDampingInWindSlicesMut<'a> = ModalDampingInWindOutputs<&'a mut [f64]>;
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
@@ -439,51 +360,6 @@ pub(super) fn modal_damping_in_wind_body<T: Arithmetic>(
 /// - `f_3 := √(r/(r + L_g))`
 /// - `…`
 ///
-/// # Inputs
-///
-/// - `m`: Mass per unit length, in `kg/m`.
-/// - `r`: Radius of gyration about the elastic centre O, in `m`.
-/// - `L_g`: Distance of the mass centre G from O, in `m`.
-/// - `cos_alpha_0`: cos(α_0), dimensionless.
-/// - `sin_alpha_0`: sin(α_0), dimensionless.
-/// - `cos_alpha_g_plus_theta_0`: cos(α_g + θ_0), dimensionless.
-/// - `sin_alpha_g_plus_theta_0`: sin(α_g + θ_0), dimensionless.
-/// - `cos_gamma_r_plus_theta_0`: cos(γ_r + θ_0), dimensionless.
-/// - `sin_gamma_r_plus_theta_0`: sin(γ_r + θ_0), dimensionless.
-/// - `zeta_x`: Structural damping ratios (ζ_x), dimensionless.
-/// - `zeta_y`: Structural damping ratios (ζ_y), dimensionless.
-/// - `zeta_theta`: Structural damping ratios (ζ_θ), dimensionless.
-/// - `rho`: Density of air (ρ), in `kg/m³`.
-/// - `D`: Reference dimension of the section, in `m`.
-/// - `U`: Wind speed, in `m/s`.
-/// - `L_a`: Distance of the aerodynamic centre A from O, in `m`.
-/// - `C_D`: Drag coefficient at the angle of attack α_0 + θ_0, dimensionless.
-/// - `C_L`: Lift coefficient at the angle of attack α_0 + θ_0, dimensionless.
-/// - `dC_D`: Derivative of C_D by its angle in radians; drag coefficient at the angle of attack
-///   α_0 + θ_0 (C_D′), dimensionless.
-/// - `dC_L`: Derivative of C_L by its angle in radians; lift coefficient at the angle of attack
-///   α_0 + θ_0 (C_L′), dimensionless.
-/// - `C_M`: Moment coefficient at the angle of attack α_0 + θ_0, dimensionless.
-/// - `dC_M`: Derivative of C_M by its angle in radians; moment coefficient at the angle of
-///   attack α_0 + θ_0 (C_M′), dimensionless.
-/// - `omega_n`: The natural frequency that all three motions share when perfectly tuned (ω_n),
-///   in `1/s`.
-///
-/// # Outputs
-///
-/// - `B_11`: In `1/s`.
-/// - `B_12`: In `1/s`.
-/// - `B_13`: In `1/s`.
-/// - `B_21`: In `1/s`.
-/// - `B_22`: In `1/s`.
-/// - `B_23`: In `1/s`.
-/// - `B_31`: In `1/s`.
-/// - `B_32`: In `1/s`.
-/// - `B_33`: In `1/s`.
-/// - `nu_2`: ν_2, in `1/s`.
-/// - `Delta_1`: Δ_1, in `1/s`.
-/// - `Delta_3`: Δ_3, in `1/s`.
-///
 /// # Conditions
 ///
 /// The derivation assumes:
@@ -555,31 +431,7 @@ pub fn modal_damping_in_wind(inputs: &ModalDampingInWindInputs<f64>) -> ModalDam
 pub fn modal_damping_in_wind_with_bound(
     inputs: &ModalDampingInWindInputs<f64>,
 ) -> ModalDampingInWindOutputs<Bounded> {
-    modal_damping_in_wind_body(&ModalDampingInWindInputs {
-        m: Bounded::exact(inputs.m),
-        r: Bounded::exact(inputs.r),
-        L_g: Bounded::exact(inputs.L_g),
-        cos_alpha_0: Bounded::exact(inputs.cos_alpha_0),
-        sin_alpha_0: Bounded::exact(inputs.sin_alpha_0),
-        cos_alpha_g_plus_theta_0: Bounded::exact(inputs.cos_alpha_g_plus_theta_0),
-        sin_alpha_g_plus_theta_0: Bounded::exact(inputs.sin_alpha_g_plus_theta_0),
-        cos_gamma_r_plus_theta_0: Bounded::exact(inputs.cos_gamma_r_plus_theta_0),
-        sin_gamma_r_plus_theta_0: Bounded::exact(inputs.sin_gamma_r_plus_theta_0),
-        zeta_x: Bounded::exact(inputs.zeta_x),
-        zeta_y: Bounded::exact(inputs.zeta_y),
-        zeta_theta: Bounded::exact(inputs.zeta_theta),
-        rho: Bounded::exact(inputs.rho),
-        D: Bounded::exact(inputs.D),
-        U: Bounded::exact(inputs.U),
-        L_a: Bounded::exact(inputs.L_a),
-        C_D: Bounded::exact(inputs.C_D),
-        C_L: Bounded::exact(inputs.C_L),
-        dC_D: Bounded::exact(inputs.dC_D),
-        dC_L: Bounded::exact(inputs.dC_L),
-        C_M: Bounded::exact(inputs.C_M),
-        dC_M: Bounded::exact(inputs.dC_M),
-        omega_n: Bounded::exact(inputs.omega_n),
-    })
+    modal_damping_in_wind_body(&Batch::inputs::<f64, _>(inputs, |_, value| Bounded::exact(*value)))
 }
 
 /// [`modal_damping_in_wind`] at many points, with the best instructions of this machine.
@@ -606,176 +458,92 @@ pub fn modal_damping_in_wind_batch_at(
     outputs: &mut ModalDampingInWindSlicesMut<'_>,
     mode: Mode,
 ) -> Result<(), LengthMismatch> {
-    let points = inputs.m.len();
-    LengthMismatch::check("m", points, inputs.m.len())?;
-    LengthMismatch::check("r", points, inputs.r.len())?;
-    LengthMismatch::check("L_g", points, inputs.L_g.len())?;
-    LengthMismatch::check("cos_alpha_0", points, inputs.cos_alpha_0.len())?;
-    LengthMismatch::check("sin_alpha_0", points, inputs.sin_alpha_0.len())?;
-    LengthMismatch::check("cos_alpha_g_plus_theta_0", points, inputs.cos_alpha_g_plus_theta_0.len())?;
-    LengthMismatch::check("sin_alpha_g_plus_theta_0", points, inputs.sin_alpha_g_plus_theta_0.len())?;
-    LengthMismatch::check("cos_gamma_r_plus_theta_0", points, inputs.cos_gamma_r_plus_theta_0.len())?;
-    LengthMismatch::check("sin_gamma_r_plus_theta_0", points, inputs.sin_gamma_r_plus_theta_0.len())?;
-    LengthMismatch::check("zeta_x", points, inputs.zeta_x.len())?;
-    LengthMismatch::check("zeta_y", points, inputs.zeta_y.len())?;
-    LengthMismatch::check("zeta_theta", points, inputs.zeta_theta.len())?;
-    LengthMismatch::check("rho", points, inputs.rho.len())?;
-    LengthMismatch::check("D", points, inputs.D.len())?;
-    LengthMismatch::check("U", points, inputs.U.len())?;
-    LengthMismatch::check("L_a", points, inputs.L_a.len())?;
-    LengthMismatch::check("C_D", points, inputs.C_D.len())?;
-    LengthMismatch::check("C_L", points, inputs.C_L.len())?;
-    LengthMismatch::check("dC_D", points, inputs.dC_D.len())?;
-    LengthMismatch::check("dC_L", points, inputs.dC_L.len())?;
-    LengthMismatch::check("C_M", points, inputs.C_M.len())?;
-    LengthMismatch::check("dC_M", points, inputs.dC_M.len())?;
-    LengthMismatch::check("omega_n", points, inputs.omega_n.len())?;
-    LengthMismatch::check("B_11", points, outputs.B_11.len())?;
-    LengthMismatch::check("B_12", points, outputs.B_12.len())?;
-    LengthMismatch::check("B_13", points, outputs.B_13.len())?;
-    LengthMismatch::check("B_21", points, outputs.B_21.len())?;
-    LengthMismatch::check("B_22", points, outputs.B_22.len())?;
-    LengthMismatch::check("B_23", points, outputs.B_23.len())?;
-    LengthMismatch::check("B_31", points, outputs.B_31.len())?;
-    LengthMismatch::check("B_32", points, outputs.B_32.len())?;
-    LengthMismatch::check("B_33", points, outputs.B_33.len())?;
-    LengthMismatch::check("nu_2", points, outputs.nu_2.len())?;
-    LengthMismatch::check("Delta_1", points, outputs.Delta_1.len())?;
-    LengthMismatch::check("Delta_3", points, outputs.Delta_3.len())?;
-    level.run(mode, Batch { inputs, outputs });
-    Ok(())
+    batch::run::<Batch>(level, inputs, outputs, mode)
 }
 
-/// Slices of one length.
-struct Batch<'a, 'b, 'c> {
-    inputs: &'a ModalDampingInWindSlices<'b>,
-    outputs: &'a mut ModalDampingInWindSlicesMut<'c>,
-}
+/// What a batch needs to know.
+pub(super) struct Batch;
 
-impl Kernel for Batch<'_, '_, '_> {
+impl Batched for Batch {
+    type Inputs<T> = ModalDampingInWindInputs<T>;
+    type Outputs<T> = ModalDampingInWindOutputs<T>;
+
     #[inline(always)]
-    fn run<const N: usize, const FUSED: bool>(self) {
-        // That all lengths are this one is known to the compiler after this, so that it checks no bounds
-        // inside the loop.
-        let points = self.inputs.m.len();
-        let inputs = ModalDampingInWindSlices {
-            m: &self.inputs.m[..points],
-            r: &self.inputs.r[..points],
-            L_g: &self.inputs.L_g[..points],
-            cos_alpha_0: &self.inputs.cos_alpha_0[..points],
-            sin_alpha_0: &self.inputs.sin_alpha_0[..points],
-            cos_alpha_g_plus_theta_0: &self.inputs.cos_alpha_g_plus_theta_0[..points],
-            sin_alpha_g_plus_theta_0: &self.inputs.sin_alpha_g_plus_theta_0[..points],
-            cos_gamma_r_plus_theta_0: &self.inputs.cos_gamma_r_plus_theta_0[..points],
-            sin_gamma_r_plus_theta_0: &self.inputs.sin_gamma_r_plus_theta_0[..points],
-            zeta_x: &self.inputs.zeta_x[..points],
-            zeta_y: &self.inputs.zeta_y[..points],
-            zeta_theta: &self.inputs.zeta_theta[..points],
-            rho: &self.inputs.rho[..points],
-            D: &self.inputs.D[..points],
-            U: &self.inputs.U[..points],
-            L_a: &self.inputs.L_a[..points],
-            C_D: &self.inputs.C_D[..points],
-            C_L: &self.inputs.C_L[..points],
-            dC_D: &self.inputs.dC_D[..points],
-            dC_L: &self.inputs.dC_L[..points],
-            C_M: &self.inputs.C_M[..points],
-            dC_M: &self.inputs.dC_M[..points],
-            omega_n: &self.inputs.omega_n[..points],
-        };
-        let outputs = ModalDampingInWindSlicesMut {
-            B_11: &mut self.outputs.B_11[..points],
-            B_12: &mut self.outputs.B_12[..points],
-            B_13: &mut self.outputs.B_13[..points],
-            B_21: &mut self.outputs.B_21[..points],
-            B_22: &mut self.outputs.B_22[..points],
-            B_23: &mut self.outputs.B_23[..points],
-            B_31: &mut self.outputs.B_31[..points],
-            B_32: &mut self.outputs.B_32[..points],
-            B_33: &mut self.outputs.B_33[..points],
-            nu_2: &mut self.outputs.nu_2[..points],
-            Delta_1: &mut self.outputs.Delta_1[..points],
-            Delta_3: &mut self.outputs.Delta_3[..points],
-        };
-        let mut start = 0;
-        while points - start >= N {
-            let result = modal_damping_in_wind_body(&ModalDampingInWindInputs {
-                m: Lanes::<N, FUSED>::load(inputs.m, start),
-                r: Lanes::<N, FUSED>::load(inputs.r, start),
-                L_g: Lanes::<N, FUSED>::load(inputs.L_g, start),
-                cos_alpha_0: Lanes::<N, FUSED>::load(inputs.cos_alpha_0, start),
-                sin_alpha_0: Lanes::<N, FUSED>::load(inputs.sin_alpha_0, start),
-                cos_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load(inputs.cos_alpha_g_plus_theta_0, start),
-                sin_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load(inputs.sin_alpha_g_plus_theta_0, start),
-                cos_gamma_r_plus_theta_0: Lanes::<N, FUSED>::load(inputs.cos_gamma_r_plus_theta_0, start),
-                sin_gamma_r_plus_theta_0: Lanes::<N, FUSED>::load(inputs.sin_gamma_r_plus_theta_0, start),
-                zeta_x: Lanes::<N, FUSED>::load(inputs.zeta_x, start),
-                zeta_y: Lanes::<N, FUSED>::load(inputs.zeta_y, start),
-                zeta_theta: Lanes::<N, FUSED>::load(inputs.zeta_theta, start),
-                rho: Lanes::<N, FUSED>::load(inputs.rho, start),
-                D: Lanes::<N, FUSED>::load(inputs.D, start),
-                U: Lanes::<N, FUSED>::load(inputs.U, start),
-                L_a: Lanes::<N, FUSED>::load(inputs.L_a, start),
-                C_D: Lanes::<N, FUSED>::load(inputs.C_D, start),
-                C_L: Lanes::<N, FUSED>::load(inputs.C_L, start),
-                dC_D: Lanes::<N, FUSED>::load(inputs.dC_D, start),
-                dC_L: Lanes::<N, FUSED>::load(inputs.dC_L, start),
-                C_M: Lanes::<N, FUSED>::load(inputs.C_M, start),
-                dC_M: Lanes::<N, FUSED>::load(inputs.dC_M, start),
-                omega_n: Lanes::<N, FUSED>::load(inputs.omega_n, start),
-            });
-            result.B_11.store(outputs.B_11, start);
-            result.B_12.store(outputs.B_12, start);
-            result.B_13.store(outputs.B_13, start);
-            result.B_21.store(outputs.B_21, start);
-            result.B_22.store(outputs.B_22, start);
-            result.B_23.store(outputs.B_23, start);
-            result.B_31.store(outputs.B_31, start);
-            result.B_32.store(outputs.B_32, start);
-            result.B_33.store(outputs.B_33, start);
-            result.nu_2.store(outputs.nu_2, start);
-            result.Delta_1.store(outputs.Delta_1, start);
-            result.Delta_3.store(outputs.Delta_3, start);
-            start += N;
+    fn inputs<'a, T: 'a, To>(
+        inputs: &'a ModalDampingInWindInputs<T>,
+        mut make: impl FnMut(&'static str, &'a T) -> To,
+    ) -> ModalDampingInWindInputs<To> {
+        ModalDampingInWindInputs {
+            m: make("m", &inputs.m),
+            r: make("r", &inputs.r),
+            L_g: make("L_g", &inputs.L_g),
+            cos_alpha_0: make("cos_alpha_0", &inputs.cos_alpha_0),
+            sin_alpha_0: make("sin_alpha_0", &inputs.sin_alpha_0),
+            cos_alpha_g_plus_theta_0: make("cos_alpha_g_plus_theta_0", &inputs.cos_alpha_g_plus_theta_0),
+            sin_alpha_g_plus_theta_0: make("sin_alpha_g_plus_theta_0", &inputs.sin_alpha_g_plus_theta_0),
+            cos_gamma_r_plus_theta_0: make("cos_gamma_r_plus_theta_0", &inputs.cos_gamma_r_plus_theta_0),
+            sin_gamma_r_plus_theta_0: make("sin_gamma_r_plus_theta_0", &inputs.sin_gamma_r_plus_theta_0),
+            zeta_x: make("zeta_x", &inputs.zeta_x),
+            zeta_y: make("zeta_y", &inputs.zeta_y),
+            zeta_theta: make("zeta_theta", &inputs.zeta_theta),
+            rho: make("rho", &inputs.rho),
+            D: make("D", &inputs.D),
+            U: make("U", &inputs.U),
+            L_a: make("L_a", &inputs.L_a),
+            C_D: make("C_D", &inputs.C_D),
+            C_L: make("C_L", &inputs.C_L),
+            dC_D: make("dC_D", &inputs.dC_D),
+            dC_L: make("dC_L", &inputs.dC_L),
+            C_M: make("C_M", &inputs.C_M),
+            dC_M: make("dC_M", &inputs.dC_M),
+            omega_n: make("omega_n", &inputs.omega_n),
         }
-        if start < points {
-            let result = modal_damping_in_wind_body(&ModalDampingInWindInputs {
-                m: Lanes::<N, FUSED>::load_tail(inputs.m, start),
-                r: Lanes::<N, FUSED>::load_tail(inputs.r, start),
-                L_g: Lanes::<N, FUSED>::load_tail(inputs.L_g, start),
-                cos_alpha_0: Lanes::<N, FUSED>::load_tail(inputs.cos_alpha_0, start),
-                sin_alpha_0: Lanes::<N, FUSED>::load_tail(inputs.sin_alpha_0, start),
-                cos_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.cos_alpha_g_plus_theta_0, start),
-                sin_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.sin_alpha_g_plus_theta_0, start),
-                cos_gamma_r_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.cos_gamma_r_plus_theta_0, start),
-                sin_gamma_r_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.sin_gamma_r_plus_theta_0, start),
-                zeta_x: Lanes::<N, FUSED>::load_tail(inputs.zeta_x, start),
-                zeta_y: Lanes::<N, FUSED>::load_tail(inputs.zeta_y, start),
-                zeta_theta: Lanes::<N, FUSED>::load_tail(inputs.zeta_theta, start),
-                rho: Lanes::<N, FUSED>::load_tail(inputs.rho, start),
-                D: Lanes::<N, FUSED>::load_tail(inputs.D, start),
-                U: Lanes::<N, FUSED>::load_tail(inputs.U, start),
-                L_a: Lanes::<N, FUSED>::load_tail(inputs.L_a, start),
-                C_D: Lanes::<N, FUSED>::load_tail(inputs.C_D, start),
-                C_L: Lanes::<N, FUSED>::load_tail(inputs.C_L, start),
-                dC_D: Lanes::<N, FUSED>::load_tail(inputs.dC_D, start),
-                dC_L: Lanes::<N, FUSED>::load_tail(inputs.dC_L, start),
-                C_M: Lanes::<N, FUSED>::load_tail(inputs.C_M, start),
-                dC_M: Lanes::<N, FUSED>::load_tail(inputs.dC_M, start),
-                omega_n: Lanes::<N, FUSED>::load_tail(inputs.omega_n, start),
-            });
-            result.B_11.store_tail(outputs.B_11, start);
-            result.B_12.store_tail(outputs.B_12, start);
-            result.B_13.store_tail(outputs.B_13, start);
-            result.B_21.store_tail(outputs.B_21, start);
-            result.B_22.store_tail(outputs.B_22, start);
-            result.B_23.store_tail(outputs.B_23, start);
-            result.B_31.store_tail(outputs.B_31, start);
-            result.B_32.store_tail(outputs.B_32, start);
-            result.B_33.store_tail(outputs.B_33, start);
-            result.nu_2.store_tail(outputs.nu_2, start);
-            result.Delta_1.store_tail(outputs.Delta_1, start);
-            result.Delta_3.store_tail(outputs.Delta_3, start);
+    }
+
+    #[inline(always)]
+    fn outputs<'a, T: 'a, To>(
+        outputs: &'a mut ModalDampingInWindOutputs<T>,
+        mut make: impl FnMut(&'static str, &'a mut T) -> To,
+    ) -> ModalDampingInWindOutputs<To> {
+        ModalDampingInWindOutputs {
+            B_11: make("B_11", &mut outputs.B_11),
+            B_12: make("B_12", &mut outputs.B_12),
+            B_13: make("B_13", &mut outputs.B_13),
+            B_21: make("B_21", &mut outputs.B_21),
+            B_22: make("B_22", &mut outputs.B_22),
+            B_23: make("B_23", &mut outputs.B_23),
+            B_31: make("B_31", &mut outputs.B_31),
+            B_32: make("B_32", &mut outputs.B_32),
+            B_33: make("B_33", &mut outputs.B_33),
+            nu_2: make("nu_2", &mut outputs.nu_2),
+            Delta_1: make("Delta_1", &mut outputs.Delta_1),
+            Delta_3: make("Delta_3", &mut outputs.Delta_3),
         }
+    }
+
+    #[inline(always)]
+    fn pairs<T, Other>(
+        outputs: ModalDampingInWindOutputs<T>,
+        others: ModalDampingInWindOutputs<Other>,
+    ) -> ModalDampingInWindOutputs<(T, Other)> {
+        ModalDampingInWindOutputs {
+            B_11: (outputs.B_11, others.B_11),
+            B_12: (outputs.B_12, others.B_12),
+            B_13: (outputs.B_13, others.B_13),
+            B_21: (outputs.B_21, others.B_21),
+            B_22: (outputs.B_22, others.B_22),
+            B_23: (outputs.B_23, others.B_23),
+            B_31: (outputs.B_31, others.B_31),
+            B_32: (outputs.B_32, others.B_32),
+            B_33: (outputs.B_33, others.B_33),
+            nu_2: (outputs.nu_2, others.nu_2),
+            Delta_1: (outputs.Delta_1, others.Delta_1),
+            Delta_3: (outputs.Delta_3, others.Delta_3),
+        }
+    }
+
+    #[inline(always)]
+    fn body<T: Lanes>(inputs: &ModalDampingInWindInputs<T>) -> ModalDampingInWindOutputs<T> {
+        modal_damping_in_wind_body(inputs)
     }
 }

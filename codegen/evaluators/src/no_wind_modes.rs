@@ -13,8 +13,9 @@
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
+use super::batch::{self, Batched};
 use super::bounded::Bounded;
-use super::dispatch::{Kernel, LengthMismatch, Level, Mode};
+use super::dispatch::{LengthMismatch, Level, Mode};
 use super::lanes::Lanes;
 
 /// The inputs of [`no_wind_modes`]; made [from angles](NoWindModesAngles), or given.
@@ -37,15 +38,15 @@ pub struct NoWindModesInputs<T> {
 /// `NoWindModesInputs::from(&angles)` takes these once; it needs the feature `std`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoWindModesAngles {
-    /// Radius of gyration about the elastic centre O, in `m`.
+    /// As in [`NoWindModesInputs`].
     pub r: f64,
-    /// Distance of the mass centre G from O, in `m`.
+    /// As in [`NoWindModesInputs`].
     pub L_g: f64,
     /// Angle of the mass centre G from the reference line of the section (α_g), in `rad`.
     pub alpha_g: f64,
     /// Turn of the section at rest (θ_0), in `rad`.
     pub theta_0: f64,
-    /// The natural frequency that all three motions share when perfectly tuned (ω_n), in `1/s`.
+    /// As in [`NoWindModesInputs`].
     pub omega_n: f64,
 }
 
@@ -94,48 +95,10 @@ pub struct NoWindModesOutputs<T> {
 }
 
 /// The inputs of [`no_wind_modes_batch`]: slices of one length.
-#[derive(Clone, Copy, Debug)]
-pub struct NoWindModesSlices<'a> {
-    /// Radius of gyration about the elastic centre O, in `m`.
-    pub r: &'a [f64],
-    /// Distance of the mass centre G from O, in `m`.
-    pub L_g: &'a [f64],
-    /// cos(α_g + θ_0), dimensionless.
-    pub cos_alpha_g_plus_theta_0: &'a [f64],
-    /// sin(α_g + θ_0), dimensionless.
-    pub sin_alpha_g_plus_theta_0: &'a [f64],
-    /// The natural frequency that all three motions share when perfectly tuned (ω_n), in `1/s`.
-    pub omega_n: &'a [f64],
-}
+pub type NoWindModesSlices<'a> = NoWindModesInputs<&'a [f64]>;
 
 /// The outputs of [`no_wind_modes_batch`]: slices of the length of the inputs.
-#[derive(Debug)]
-pub struct NoWindModesSlicesMut<'a> {
-    /// Ω_1, in `1/s²`.
-    pub Omega_1: &'a mut [f64],
-    /// Ω_2, in `1/s²`.
-    pub Omega_2: &'a mut [f64],
-    /// Ω_3, in `1/s²`.
-    pub Omega_3: &'a mut [f64],
-    /// φ_11, in `m`.
-    pub phi_11: &'a mut [f64],
-    /// φ_12, dimensionless.
-    pub phi_12: &'a mut [f64],
-    /// φ_13, in `m`.
-    pub phi_13: &'a mut [f64],
-    /// φ_21, in `m`.
-    pub phi_21: &'a mut [f64],
-    /// φ_22, dimensionless.
-    pub phi_22: &'a mut [f64],
-    /// φ_23, in `m`.
-    pub phi_23: &'a mut [f64],
-    /// φ_31, dimensionless.
-    pub phi_31: &'a mut [f64],
-    /// φ_32.
-    pub phi_32: &'a mut [f64],
-    /// φ_33, dimensionless.
-    pub phi_33: &'a mut [f64],
-}
+pub type NoWindModesSlicesMut<'a> = NoWindModesOutputs<&'a mut [f64]>;
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
@@ -192,30 +155,6 @@ pub(super) fn no_wind_modes_body<T: Arithmetic>(
 /// - `φ_3 := [r·s_g; r·c_g; 1]`
 /// - `s_g := sin(α_g + θ_0)`
 /// - `c_g := cos(α_g + θ_0)`
-///
-/// # Inputs
-///
-/// - `r`: Radius of gyration about the elastic centre O, in `m`.
-/// - `L_g`: Distance of the mass centre G from O, in `m`.
-/// - `cos_alpha_g_plus_theta_0`: cos(α_g + θ_0), dimensionless.
-/// - `sin_alpha_g_plus_theta_0`: sin(α_g + θ_0), dimensionless.
-/// - `omega_n`: The natural frequency that all three motions share when perfectly tuned (ω_n),
-///   in `1/s`.
-///
-/// # Outputs
-///
-/// - `Omega_1`: Ω_1, in `1/s²`.
-/// - `Omega_2`: Ω_2, in `1/s²`.
-/// - `Omega_3`: Ω_3, in `1/s²`.
-/// - `phi_11`: φ_11, in `m`.
-/// - `phi_12`: φ_12, dimensionless.
-/// - `phi_13`: φ_13, in `m`.
-/// - `phi_21`: φ_21, in `m`.
-/// - `phi_22`: φ_22, dimensionless.
-/// - `phi_23`: φ_23, in `m`.
-/// - `phi_31`: φ_31, dimensionless.
-/// - `phi_32`: φ_32.
-/// - `phi_33`: φ_33, dimensionless.
 ///
 /// # Conditions
 ///
@@ -277,13 +216,7 @@ pub fn no_wind_modes(inputs: &NoWindModesInputs<f64>) -> NoWindModesOutputs<f64>
 pub fn no_wind_modes_with_bound(
     inputs: &NoWindModesInputs<f64>,
 ) -> NoWindModesOutputs<Bounded> {
-    no_wind_modes_body(&NoWindModesInputs {
-        r: Bounded::exact(inputs.r),
-        L_g: Bounded::exact(inputs.L_g),
-        cos_alpha_g_plus_theta_0: Bounded::exact(inputs.cos_alpha_g_plus_theta_0),
-        sin_alpha_g_plus_theta_0: Bounded::exact(inputs.sin_alpha_g_plus_theta_0),
-        omega_n: Bounded::exact(inputs.omega_n),
-    })
+    no_wind_modes_body(&Batch::inputs::<f64, _>(inputs, |_, value| Bounded::exact(*value)))
 }
 
 /// [`no_wind_modes`] at many points, with the best instructions of this machine.
@@ -310,104 +243,74 @@ pub fn no_wind_modes_batch_at(
     outputs: &mut NoWindModesSlicesMut<'_>,
     mode: Mode,
 ) -> Result<(), LengthMismatch> {
-    let points = inputs.r.len();
-    LengthMismatch::check("r", points, inputs.r.len())?;
-    LengthMismatch::check("L_g", points, inputs.L_g.len())?;
-    LengthMismatch::check("cos_alpha_g_plus_theta_0", points, inputs.cos_alpha_g_plus_theta_0.len())?;
-    LengthMismatch::check("sin_alpha_g_plus_theta_0", points, inputs.sin_alpha_g_plus_theta_0.len())?;
-    LengthMismatch::check("omega_n", points, inputs.omega_n.len())?;
-    LengthMismatch::check("Omega_1", points, outputs.Omega_1.len())?;
-    LengthMismatch::check("Omega_2", points, outputs.Omega_2.len())?;
-    LengthMismatch::check("Omega_3", points, outputs.Omega_3.len())?;
-    LengthMismatch::check("phi_11", points, outputs.phi_11.len())?;
-    LengthMismatch::check("phi_12", points, outputs.phi_12.len())?;
-    LengthMismatch::check("phi_13", points, outputs.phi_13.len())?;
-    LengthMismatch::check("phi_21", points, outputs.phi_21.len())?;
-    LengthMismatch::check("phi_22", points, outputs.phi_22.len())?;
-    LengthMismatch::check("phi_23", points, outputs.phi_23.len())?;
-    LengthMismatch::check("phi_31", points, outputs.phi_31.len())?;
-    LengthMismatch::check("phi_32", points, outputs.phi_32.len())?;
-    LengthMismatch::check("phi_33", points, outputs.phi_33.len())?;
-    level.run(mode, Batch { inputs, outputs });
-    Ok(())
+    batch::run::<Batch>(level, inputs, outputs, mode)
 }
 
-/// Slices of one length.
-struct Batch<'a, 'b, 'c> {
-    inputs: &'a NoWindModesSlices<'b>,
-    outputs: &'a mut NoWindModesSlicesMut<'c>,
-}
+/// What a batch needs to know.
+pub(super) struct Batch;
 
-impl Kernel for Batch<'_, '_, '_> {
+impl Batched for Batch {
+    type Inputs<T> = NoWindModesInputs<T>;
+    type Outputs<T> = NoWindModesOutputs<T>;
+
     #[inline(always)]
-    fn run<const N: usize, const FUSED: bool>(self) {
-        // That all lengths are this one is known to the compiler after this, so that it checks no bounds
-        // inside the loop.
-        let points = self.inputs.r.len();
-        let inputs = NoWindModesSlices {
-            r: &self.inputs.r[..points],
-            L_g: &self.inputs.L_g[..points],
-            cos_alpha_g_plus_theta_0: &self.inputs.cos_alpha_g_plus_theta_0[..points],
-            sin_alpha_g_plus_theta_0: &self.inputs.sin_alpha_g_plus_theta_0[..points],
-            omega_n: &self.inputs.omega_n[..points],
-        };
-        let outputs = NoWindModesSlicesMut {
-            Omega_1: &mut self.outputs.Omega_1[..points],
-            Omega_2: &mut self.outputs.Omega_2[..points],
-            Omega_3: &mut self.outputs.Omega_3[..points],
-            phi_11: &mut self.outputs.phi_11[..points],
-            phi_12: &mut self.outputs.phi_12[..points],
-            phi_13: &mut self.outputs.phi_13[..points],
-            phi_21: &mut self.outputs.phi_21[..points],
-            phi_22: &mut self.outputs.phi_22[..points],
-            phi_23: &mut self.outputs.phi_23[..points],
-            phi_31: &mut self.outputs.phi_31[..points],
-            phi_32: &mut self.outputs.phi_32[..points],
-            phi_33: &mut self.outputs.phi_33[..points],
-        };
-        let mut start = 0;
-        while points - start >= N {
-            let result = no_wind_modes_body(&NoWindModesInputs {
-                r: Lanes::<N, FUSED>::load(inputs.r, start),
-                L_g: Lanes::<N, FUSED>::load(inputs.L_g, start),
-                cos_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load(inputs.cos_alpha_g_plus_theta_0, start),
-                sin_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load(inputs.sin_alpha_g_plus_theta_0, start),
-                omega_n: Lanes::<N, FUSED>::load(inputs.omega_n, start),
-            });
-            result.Omega_1.store(outputs.Omega_1, start);
-            result.Omega_2.store(outputs.Omega_2, start);
-            result.Omega_3.store(outputs.Omega_3, start);
-            result.phi_11.store(outputs.phi_11, start);
-            result.phi_12.store(outputs.phi_12, start);
-            result.phi_13.store(outputs.phi_13, start);
-            result.phi_21.store(outputs.phi_21, start);
-            result.phi_22.store(outputs.phi_22, start);
-            result.phi_23.store(outputs.phi_23, start);
-            result.phi_31.store(outputs.phi_31, start);
-            result.phi_32.store(outputs.phi_32, start);
-            result.phi_33.store(outputs.phi_33, start);
-            start += N;
+    fn inputs<'a, T: 'a, To>(
+        inputs: &'a NoWindModesInputs<T>,
+        mut make: impl FnMut(&'static str, &'a T) -> To,
+    ) -> NoWindModesInputs<To> {
+        NoWindModesInputs {
+            r: make("r", &inputs.r),
+            L_g: make("L_g", &inputs.L_g),
+            cos_alpha_g_plus_theta_0: make("cos_alpha_g_plus_theta_0", &inputs.cos_alpha_g_plus_theta_0),
+            sin_alpha_g_plus_theta_0: make("sin_alpha_g_plus_theta_0", &inputs.sin_alpha_g_plus_theta_0),
+            omega_n: make("omega_n", &inputs.omega_n),
         }
-        if start < points {
-            let result = no_wind_modes_body(&NoWindModesInputs {
-                r: Lanes::<N, FUSED>::load_tail(inputs.r, start),
-                L_g: Lanes::<N, FUSED>::load_tail(inputs.L_g, start),
-                cos_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.cos_alpha_g_plus_theta_0, start),
-                sin_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.sin_alpha_g_plus_theta_0, start),
-                omega_n: Lanes::<N, FUSED>::load_tail(inputs.omega_n, start),
-            });
-            result.Omega_1.store_tail(outputs.Omega_1, start);
-            result.Omega_2.store_tail(outputs.Omega_2, start);
-            result.Omega_3.store_tail(outputs.Omega_3, start);
-            result.phi_11.store_tail(outputs.phi_11, start);
-            result.phi_12.store_tail(outputs.phi_12, start);
-            result.phi_13.store_tail(outputs.phi_13, start);
-            result.phi_21.store_tail(outputs.phi_21, start);
-            result.phi_22.store_tail(outputs.phi_22, start);
-            result.phi_23.store_tail(outputs.phi_23, start);
-            result.phi_31.store_tail(outputs.phi_31, start);
-            result.phi_32.store_tail(outputs.phi_32, start);
-            result.phi_33.store_tail(outputs.phi_33, start);
+    }
+
+    #[inline(always)]
+    fn outputs<'a, T: 'a, To>(
+        outputs: &'a mut NoWindModesOutputs<T>,
+        mut make: impl FnMut(&'static str, &'a mut T) -> To,
+    ) -> NoWindModesOutputs<To> {
+        NoWindModesOutputs {
+            Omega_1: make("Omega_1", &mut outputs.Omega_1),
+            Omega_2: make("Omega_2", &mut outputs.Omega_2),
+            Omega_3: make("Omega_3", &mut outputs.Omega_3),
+            phi_11: make("phi_11", &mut outputs.phi_11),
+            phi_12: make("phi_12", &mut outputs.phi_12),
+            phi_13: make("phi_13", &mut outputs.phi_13),
+            phi_21: make("phi_21", &mut outputs.phi_21),
+            phi_22: make("phi_22", &mut outputs.phi_22),
+            phi_23: make("phi_23", &mut outputs.phi_23),
+            phi_31: make("phi_31", &mut outputs.phi_31),
+            phi_32: make("phi_32", &mut outputs.phi_32),
+            phi_33: make("phi_33", &mut outputs.phi_33),
         }
+    }
+
+    #[inline(always)]
+    fn pairs<T, Other>(
+        outputs: NoWindModesOutputs<T>,
+        others: NoWindModesOutputs<Other>,
+    ) -> NoWindModesOutputs<(T, Other)> {
+        NoWindModesOutputs {
+            Omega_1: (outputs.Omega_1, others.Omega_1),
+            Omega_2: (outputs.Omega_2, others.Omega_2),
+            Omega_3: (outputs.Omega_3, others.Omega_3),
+            phi_11: (outputs.phi_11, others.phi_11),
+            phi_12: (outputs.phi_12, others.phi_12),
+            phi_13: (outputs.phi_13, others.phi_13),
+            phi_21: (outputs.phi_21, others.phi_21),
+            phi_22: (outputs.phi_22, others.phi_22),
+            phi_23: (outputs.phi_23, others.phi_23),
+            phi_31: (outputs.phi_31, others.phi_31),
+            phi_32: (outputs.phi_32, others.phi_32),
+            phi_33: (outputs.phi_33, others.phi_33),
+        }
+    }
+
+    #[inline(always)]
+    fn body<T: Lanes>(inputs: &NoWindModesInputs<T>) -> NoWindModesOutputs<T> {
+        no_wind_modes_body(inputs)
     }
 }

@@ -12,8 +12,9 @@
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
+use super::batch::{self, Batched};
 use super::bounded::Bounded;
-use super::dispatch::{Kernel, LengthMismatch, Level, Mode};
+use super::dispatch::{LengthMismatch, Level, Mode};
 use super::lanes::Lanes;
 
 /// The inputs of [`scaled_entries`]; made [from angles](ScaledEntriesAngles), or given.
@@ -72,51 +73,51 @@ pub struct ScaledEntriesInputs<T> {
 /// `ScaledEntriesInputs::from(&angles)` takes these once; it needs the feature `std`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScaledEntriesAngles {
-    /// Mass per unit length, in `kg/m`.
+    /// As in [`ScaledEntriesInputs`].
     pub m: f64,
-    /// Radius of gyration about the elastic centre O, in `m`.
+    /// As in [`ScaledEntriesInputs`].
     pub r: f64,
-    /// Distance of the mass centre G from O, in `m`.
+    /// As in [`ScaledEntriesInputs`].
     pub L_g: f64,
     /// Angle of the mass centre G from the reference line of the section (α_g), in `rad`.
     pub alpha_g: f64,
     /// Turn of the section at rest (θ_0), in `rad`.
     pub theta_0: f64,
-    /// Natural frequencies of the uncoupled motions (ω_x), in `1/s`.
+    /// As in [`ScaledEntriesInputs`].
     pub omega_x: f64,
-    /// Natural frequencies of the uncoupled motions (ω_y), in `1/s`.
+    /// As in [`ScaledEntriesInputs`].
     pub omega_y: f64,
-    /// Natural frequencies of the uncoupled motions (ω_θ), in `1/s`.
+    /// As in [`ScaledEntriesInputs`].
     pub omega_theta: f64,
-    /// Structural damping ratios (ζ_x), dimensionless.
+    /// As in [`ScaledEntriesInputs`].
     pub zeta_x: f64,
-    /// Structural damping ratios (ζ_y), dimensionless.
+    /// As in [`ScaledEntriesInputs`].
     pub zeta_y: f64,
-    /// Structural damping ratios (ζ_θ), dimensionless.
+    /// As in [`ScaledEntriesInputs`].
     pub zeta_theta: f64,
-    /// Density of air (ρ), in `kg/m³`.
+    /// As in [`ScaledEntriesInputs`].
     pub rho: f64,
-    /// Reference dimension of the section, in `m`.
+    /// As in [`ScaledEntriesInputs`].
     pub D: f64,
-    /// Wind speed, in `m/s`.
+    /// As in [`ScaledEntriesInputs`].
     pub U: f64,
-    /// Scaled aerodynamic damping, dimensionless.
+    /// As in [`ScaledEntriesInputs`].
     pub S_xx: f64,
-    /// Scaled aerodynamic damping, dimensionless.
+    /// As in [`ScaledEntriesInputs`].
     pub S_xy: f64,
-    /// Scaled aerodynamic damping, dimensionless.
+    /// As in [`ScaledEntriesInputs`].
     pub S_yx: f64,
-    /// Scaled aerodynamic damping, dimensionless.
+    /// As in [`ScaledEntriesInputs`].
     pub S_yy: f64,
-    /// Scaled aerodynamic damping (S_xθ), dimensionless.
+    /// As in [`ScaledEntriesInputs`].
     pub S_xt: f64,
-    /// Scaled aerodynamic damping (S_yθ), dimensionless.
+    /// As in [`ScaledEntriesInputs`].
     pub S_yt: f64,
-    /// Scaled aerodynamic damping (S_θx), dimensionless.
+    /// As in [`ScaledEntriesInputs`].
     pub S_tx: f64,
-    /// Scaled aerodynamic damping (S_θy), dimensionless.
+    /// As in [`ScaledEntriesInputs`].
     pub S_ty: f64,
-    /// Scaled aerodynamic damping (S_θθ), dimensionless.
+    /// As in [`ScaledEntriesInputs`].
     pub S_tt: f64,
 }
 
@@ -187,88 +188,10 @@ pub struct ScaledEntriesOutputs<T> {
 }
 
 /// The inputs of [`scaled_entries_batch`]: slices of one length.
-#[derive(Clone, Copy, Debug)]
-pub struct ScaledEntriesSlices<'a> {
-    /// Mass per unit length, in `kg/m`.
-    pub m: &'a [f64],
-    /// Radius of gyration about the elastic centre O, in `m`.
-    pub r: &'a [f64],
-    /// Distance of the mass centre G from O, in `m`.
-    pub L_g: &'a [f64],
-    /// cos(α_g + θ_0), dimensionless.
-    pub cos_alpha_g_plus_theta_0: &'a [f64],
-    /// sin(α_g + θ_0), dimensionless.
-    pub sin_alpha_g_plus_theta_0: &'a [f64],
-    /// Natural frequencies of the uncoupled motions (ω_x), in `1/s`.
-    pub omega_x: &'a [f64],
-    /// Natural frequencies of the uncoupled motions (ω_y), in `1/s`.
-    pub omega_y: &'a [f64],
-    /// Natural frequencies of the uncoupled motions (ω_θ), in `1/s`.
-    pub omega_theta: &'a [f64],
-    /// Structural damping ratios (ζ_x), dimensionless.
-    pub zeta_x: &'a [f64],
-    /// Structural damping ratios (ζ_y), dimensionless.
-    pub zeta_y: &'a [f64],
-    /// Structural damping ratios (ζ_θ), dimensionless.
-    pub zeta_theta: &'a [f64],
-    /// Density of air (ρ), in `kg/m³`.
-    pub rho: &'a [f64],
-    /// Reference dimension of the section, in `m`.
-    pub D: &'a [f64],
-    /// Wind speed, in `m/s`.
-    pub U: &'a [f64],
-    /// Scaled aerodynamic damping, dimensionless.
-    pub S_xx: &'a [f64],
-    /// Scaled aerodynamic damping, dimensionless.
-    pub S_xy: &'a [f64],
-    /// Scaled aerodynamic damping, dimensionless.
-    pub S_yx: &'a [f64],
-    /// Scaled aerodynamic damping, dimensionless.
-    pub S_yy: &'a [f64],
-    /// Scaled aerodynamic damping (S_xθ), dimensionless.
-    pub S_xt: &'a [f64],
-    /// Scaled aerodynamic damping (S_yθ), dimensionless.
-    pub S_yt: &'a [f64],
-    /// Scaled aerodynamic damping (S_θx), dimensionless.
-    pub S_tx: &'a [f64],
-    /// Scaled aerodynamic damping (S_θy), dimensionless.
-    pub S_ty: &'a [f64],
-    /// Scaled aerodynamic damping (S_θθ), dimensionless.
-    pub S_tt: &'a [f64],
-}
+pub type ScaledEntriesSlices<'a> = ScaledEntriesInputs<&'a [f64]>;
 
 /// The outputs of [`scaled_entries_batch`]: slices of the length of the inputs.
-#[derive(Debug)]
-pub struct ScaledEntriesSlicesMut<'a> {
-    /// Dimensionless.
-    pub e_s: &'a mut [f64],
-    /// Dimensionless.
-    pub e_c: &'a mut [f64],
-    /// In `1/s`.
-    pub w_11: &'a mut [f64],
-    /// In `1/s`.
-    pub w_12: &'a mut [f64],
-    /// In `1/s`.
-    pub w_13: &'a mut [f64],
-    /// In `1/s`.
-    pub w_21: &'a mut [f64],
-    /// In `1/s`.
-    pub w_22: &'a mut [f64],
-    /// In `1/s`.
-    pub w_23: &'a mut [f64],
-    /// In `1/s`.
-    pub w_31: &'a mut [f64],
-    /// In `1/s`.
-    pub w_32: &'a mut [f64],
-    /// In `1/s`.
-    pub w_33: &'a mut [f64],
-    /// In `1/s`.
-    pub z_1: &'a mut [f64],
-    /// In `1/s`.
-    pub z_2: &'a mut [f64],
-    /// In `1/s`.
-    pub z_3: &'a mut [f64],
-}
+pub type ScaledEntriesSlicesMut<'a> = ScaledEntriesOutputs<&'a mut [f64]>;
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
@@ -350,49 +273,6 @@ pub(super) fn scaled_entries_body<T: Arithmetic>(
 /// - `s_g := sin(α_g + θ_0)`
 /// - `c_g := cos(α_g + θ_0)`
 ///
-/// # Inputs
-///
-/// - `m`: Mass per unit length, in `kg/m`.
-/// - `r`: Radius of gyration about the elastic centre O, in `m`.
-/// - `L_g`: Distance of the mass centre G from O, in `m`.
-/// - `cos_alpha_g_plus_theta_0`: cos(α_g + θ_0), dimensionless.
-/// - `sin_alpha_g_plus_theta_0`: sin(α_g + θ_0), dimensionless.
-/// - `omega_x`: Natural frequencies of the uncoupled motions (ω_x), in `1/s`.
-/// - `omega_y`: Natural frequencies of the uncoupled motions (ω_y), in `1/s`.
-/// - `omega_theta`: Natural frequencies of the uncoupled motions (ω_θ), in `1/s`.
-/// - `zeta_x`: Structural damping ratios (ζ_x), dimensionless.
-/// - `zeta_y`: Structural damping ratios (ζ_y), dimensionless.
-/// - `zeta_theta`: Structural damping ratios (ζ_θ), dimensionless.
-/// - `rho`: Density of air (ρ), in `kg/m³`.
-/// - `D`: Reference dimension of the section, in `m`.
-/// - `U`: Wind speed, in `m/s`.
-/// - `S_xx`: Scaled aerodynamic damping, dimensionless.
-/// - `S_xy`: Scaled aerodynamic damping, dimensionless.
-/// - `S_yx`: Scaled aerodynamic damping, dimensionless.
-/// - `S_yy`: Scaled aerodynamic damping, dimensionless.
-/// - `S_xt`: Scaled aerodynamic damping (S_xθ), dimensionless.
-/// - `S_yt`: Scaled aerodynamic damping (S_yθ), dimensionless.
-/// - `S_tx`: Scaled aerodynamic damping (S_θx), dimensionless.
-/// - `S_ty`: Scaled aerodynamic damping (S_θy), dimensionless.
-/// - `S_tt`: Scaled aerodynamic damping (S_θθ), dimensionless.
-///
-/// # Outputs
-///
-/// - `e_s`: Dimensionless.
-/// - `e_c`: Dimensionless.
-/// - `w_11`: In `1/s`.
-/// - `w_12`: In `1/s`.
-/// - `w_13`: In `1/s`.
-/// - `w_21`: In `1/s`.
-/// - `w_22`: In `1/s`.
-/// - `w_23`: In `1/s`.
-/// - `w_31`: In `1/s`.
-/// - `w_32`: In `1/s`.
-/// - `w_33`: In `1/s`.
-/// - `z_1`: In `1/s`.
-/// - `z_2`: In `1/s`.
-/// - `z_3`: In `1/s`.
-///
 /// # Conditions
 ///
 /// The derivation assumes:
@@ -468,31 +348,7 @@ pub fn scaled_entries(inputs: &ScaledEntriesInputs<f64>) -> ScaledEntriesOutputs
 pub fn scaled_entries_with_bound(
     inputs: &ScaledEntriesInputs<f64>,
 ) -> ScaledEntriesOutputs<Bounded> {
-    scaled_entries_body(&ScaledEntriesInputs {
-        m: Bounded::exact(inputs.m),
-        r: Bounded::exact(inputs.r),
-        L_g: Bounded::exact(inputs.L_g),
-        cos_alpha_g_plus_theta_0: Bounded::exact(inputs.cos_alpha_g_plus_theta_0),
-        sin_alpha_g_plus_theta_0: Bounded::exact(inputs.sin_alpha_g_plus_theta_0),
-        omega_x: Bounded::exact(inputs.omega_x),
-        omega_y: Bounded::exact(inputs.omega_y),
-        omega_theta: Bounded::exact(inputs.omega_theta),
-        zeta_x: Bounded::exact(inputs.zeta_x),
-        zeta_y: Bounded::exact(inputs.zeta_y),
-        zeta_theta: Bounded::exact(inputs.zeta_theta),
-        rho: Bounded::exact(inputs.rho),
-        D: Bounded::exact(inputs.D),
-        U: Bounded::exact(inputs.U),
-        S_xx: Bounded::exact(inputs.S_xx),
-        S_xy: Bounded::exact(inputs.S_xy),
-        S_yx: Bounded::exact(inputs.S_yx),
-        S_yy: Bounded::exact(inputs.S_yy),
-        S_xt: Bounded::exact(inputs.S_xt),
-        S_yt: Bounded::exact(inputs.S_yt),
-        S_tx: Bounded::exact(inputs.S_tx),
-        S_ty: Bounded::exact(inputs.S_ty),
-        S_tt: Bounded::exact(inputs.S_tt),
-    })
+    scaled_entries_body(&Batch::inputs::<f64, _>(inputs, |_, value| Bounded::exact(*value)))
 }
 
 /// [`scaled_entries`] at many points, with the best instructions of this machine.
@@ -519,184 +375,96 @@ pub fn scaled_entries_batch_at(
     outputs: &mut ScaledEntriesSlicesMut<'_>,
     mode: Mode,
 ) -> Result<(), LengthMismatch> {
-    let points = inputs.m.len();
-    LengthMismatch::check("m", points, inputs.m.len())?;
-    LengthMismatch::check("r", points, inputs.r.len())?;
-    LengthMismatch::check("L_g", points, inputs.L_g.len())?;
-    LengthMismatch::check("cos_alpha_g_plus_theta_0", points, inputs.cos_alpha_g_plus_theta_0.len())?;
-    LengthMismatch::check("sin_alpha_g_plus_theta_0", points, inputs.sin_alpha_g_plus_theta_0.len())?;
-    LengthMismatch::check("omega_x", points, inputs.omega_x.len())?;
-    LengthMismatch::check("omega_y", points, inputs.omega_y.len())?;
-    LengthMismatch::check("omega_theta", points, inputs.omega_theta.len())?;
-    LengthMismatch::check("zeta_x", points, inputs.zeta_x.len())?;
-    LengthMismatch::check("zeta_y", points, inputs.zeta_y.len())?;
-    LengthMismatch::check("zeta_theta", points, inputs.zeta_theta.len())?;
-    LengthMismatch::check("rho", points, inputs.rho.len())?;
-    LengthMismatch::check("D", points, inputs.D.len())?;
-    LengthMismatch::check("U", points, inputs.U.len())?;
-    LengthMismatch::check("S_xx", points, inputs.S_xx.len())?;
-    LengthMismatch::check("S_xy", points, inputs.S_xy.len())?;
-    LengthMismatch::check("S_yx", points, inputs.S_yx.len())?;
-    LengthMismatch::check("S_yy", points, inputs.S_yy.len())?;
-    LengthMismatch::check("S_xt", points, inputs.S_xt.len())?;
-    LengthMismatch::check("S_yt", points, inputs.S_yt.len())?;
-    LengthMismatch::check("S_tx", points, inputs.S_tx.len())?;
-    LengthMismatch::check("S_ty", points, inputs.S_ty.len())?;
-    LengthMismatch::check("S_tt", points, inputs.S_tt.len())?;
-    LengthMismatch::check("e_s", points, outputs.e_s.len())?;
-    LengthMismatch::check("e_c", points, outputs.e_c.len())?;
-    LengthMismatch::check("w_11", points, outputs.w_11.len())?;
-    LengthMismatch::check("w_12", points, outputs.w_12.len())?;
-    LengthMismatch::check("w_13", points, outputs.w_13.len())?;
-    LengthMismatch::check("w_21", points, outputs.w_21.len())?;
-    LengthMismatch::check("w_22", points, outputs.w_22.len())?;
-    LengthMismatch::check("w_23", points, outputs.w_23.len())?;
-    LengthMismatch::check("w_31", points, outputs.w_31.len())?;
-    LengthMismatch::check("w_32", points, outputs.w_32.len())?;
-    LengthMismatch::check("w_33", points, outputs.w_33.len())?;
-    LengthMismatch::check("z_1", points, outputs.z_1.len())?;
-    LengthMismatch::check("z_2", points, outputs.z_2.len())?;
-    LengthMismatch::check("z_3", points, outputs.z_3.len())?;
-    level.run(mode, Batch { inputs, outputs });
-    Ok(())
+    batch::run::<Batch>(level, inputs, outputs, mode)
 }
 
-/// Slices of one length.
-struct Batch<'a, 'b, 'c> {
-    inputs: &'a ScaledEntriesSlices<'b>,
-    outputs: &'a mut ScaledEntriesSlicesMut<'c>,
-}
+/// What a batch needs to know.
+pub(super) struct Batch;
 
-impl Kernel for Batch<'_, '_, '_> {
+impl Batched for Batch {
+    type Inputs<T> = ScaledEntriesInputs<T>;
+    type Outputs<T> = ScaledEntriesOutputs<T>;
+
     #[inline(always)]
-    fn run<const N: usize, const FUSED: bool>(self) {
-        // That all lengths are this one is known to the compiler after this, so that it checks no bounds
-        // inside the loop.
-        let points = self.inputs.m.len();
-        let inputs = ScaledEntriesSlices {
-            m: &self.inputs.m[..points],
-            r: &self.inputs.r[..points],
-            L_g: &self.inputs.L_g[..points],
-            cos_alpha_g_plus_theta_0: &self.inputs.cos_alpha_g_plus_theta_0[..points],
-            sin_alpha_g_plus_theta_0: &self.inputs.sin_alpha_g_plus_theta_0[..points],
-            omega_x: &self.inputs.omega_x[..points],
-            omega_y: &self.inputs.omega_y[..points],
-            omega_theta: &self.inputs.omega_theta[..points],
-            zeta_x: &self.inputs.zeta_x[..points],
-            zeta_y: &self.inputs.zeta_y[..points],
-            zeta_theta: &self.inputs.zeta_theta[..points],
-            rho: &self.inputs.rho[..points],
-            D: &self.inputs.D[..points],
-            U: &self.inputs.U[..points],
-            S_xx: &self.inputs.S_xx[..points],
-            S_xy: &self.inputs.S_xy[..points],
-            S_yx: &self.inputs.S_yx[..points],
-            S_yy: &self.inputs.S_yy[..points],
-            S_xt: &self.inputs.S_xt[..points],
-            S_yt: &self.inputs.S_yt[..points],
-            S_tx: &self.inputs.S_tx[..points],
-            S_ty: &self.inputs.S_ty[..points],
-            S_tt: &self.inputs.S_tt[..points],
-        };
-        let outputs = ScaledEntriesSlicesMut {
-            e_s: &mut self.outputs.e_s[..points],
-            e_c: &mut self.outputs.e_c[..points],
-            w_11: &mut self.outputs.w_11[..points],
-            w_12: &mut self.outputs.w_12[..points],
-            w_13: &mut self.outputs.w_13[..points],
-            w_21: &mut self.outputs.w_21[..points],
-            w_22: &mut self.outputs.w_22[..points],
-            w_23: &mut self.outputs.w_23[..points],
-            w_31: &mut self.outputs.w_31[..points],
-            w_32: &mut self.outputs.w_32[..points],
-            w_33: &mut self.outputs.w_33[..points],
-            z_1: &mut self.outputs.z_1[..points],
-            z_2: &mut self.outputs.z_2[..points],
-            z_3: &mut self.outputs.z_3[..points],
-        };
-        let mut start = 0;
-        while points - start >= N {
-            let result = scaled_entries_body(&ScaledEntriesInputs {
-                m: Lanes::<N, FUSED>::load(inputs.m, start),
-                r: Lanes::<N, FUSED>::load(inputs.r, start),
-                L_g: Lanes::<N, FUSED>::load(inputs.L_g, start),
-                cos_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load(inputs.cos_alpha_g_plus_theta_0, start),
-                sin_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load(inputs.sin_alpha_g_plus_theta_0, start),
-                omega_x: Lanes::<N, FUSED>::load(inputs.omega_x, start),
-                omega_y: Lanes::<N, FUSED>::load(inputs.omega_y, start),
-                omega_theta: Lanes::<N, FUSED>::load(inputs.omega_theta, start),
-                zeta_x: Lanes::<N, FUSED>::load(inputs.zeta_x, start),
-                zeta_y: Lanes::<N, FUSED>::load(inputs.zeta_y, start),
-                zeta_theta: Lanes::<N, FUSED>::load(inputs.zeta_theta, start),
-                rho: Lanes::<N, FUSED>::load(inputs.rho, start),
-                D: Lanes::<N, FUSED>::load(inputs.D, start),
-                U: Lanes::<N, FUSED>::load(inputs.U, start),
-                S_xx: Lanes::<N, FUSED>::load(inputs.S_xx, start),
-                S_xy: Lanes::<N, FUSED>::load(inputs.S_xy, start),
-                S_yx: Lanes::<N, FUSED>::load(inputs.S_yx, start),
-                S_yy: Lanes::<N, FUSED>::load(inputs.S_yy, start),
-                S_xt: Lanes::<N, FUSED>::load(inputs.S_xt, start),
-                S_yt: Lanes::<N, FUSED>::load(inputs.S_yt, start),
-                S_tx: Lanes::<N, FUSED>::load(inputs.S_tx, start),
-                S_ty: Lanes::<N, FUSED>::load(inputs.S_ty, start),
-                S_tt: Lanes::<N, FUSED>::load(inputs.S_tt, start),
-            });
-            result.e_s.store(outputs.e_s, start);
-            result.e_c.store(outputs.e_c, start);
-            result.w_11.store(outputs.w_11, start);
-            result.w_12.store(outputs.w_12, start);
-            result.w_13.store(outputs.w_13, start);
-            result.w_21.store(outputs.w_21, start);
-            result.w_22.store(outputs.w_22, start);
-            result.w_23.store(outputs.w_23, start);
-            result.w_31.store(outputs.w_31, start);
-            result.w_32.store(outputs.w_32, start);
-            result.w_33.store(outputs.w_33, start);
-            result.z_1.store(outputs.z_1, start);
-            result.z_2.store(outputs.z_2, start);
-            result.z_3.store(outputs.z_3, start);
-            start += N;
+    fn inputs<'a, T: 'a, To>(
+        inputs: &'a ScaledEntriesInputs<T>,
+        mut make: impl FnMut(&'static str, &'a T) -> To,
+    ) -> ScaledEntriesInputs<To> {
+        ScaledEntriesInputs {
+            m: make("m", &inputs.m),
+            r: make("r", &inputs.r),
+            L_g: make("L_g", &inputs.L_g),
+            cos_alpha_g_plus_theta_0: make("cos_alpha_g_plus_theta_0", &inputs.cos_alpha_g_plus_theta_0),
+            sin_alpha_g_plus_theta_0: make("sin_alpha_g_plus_theta_0", &inputs.sin_alpha_g_plus_theta_0),
+            omega_x: make("omega_x", &inputs.omega_x),
+            omega_y: make("omega_y", &inputs.omega_y),
+            omega_theta: make("omega_theta", &inputs.omega_theta),
+            zeta_x: make("zeta_x", &inputs.zeta_x),
+            zeta_y: make("zeta_y", &inputs.zeta_y),
+            zeta_theta: make("zeta_theta", &inputs.zeta_theta),
+            rho: make("rho", &inputs.rho),
+            D: make("D", &inputs.D),
+            U: make("U", &inputs.U),
+            S_xx: make("S_xx", &inputs.S_xx),
+            S_xy: make("S_xy", &inputs.S_xy),
+            S_yx: make("S_yx", &inputs.S_yx),
+            S_yy: make("S_yy", &inputs.S_yy),
+            S_xt: make("S_xt", &inputs.S_xt),
+            S_yt: make("S_yt", &inputs.S_yt),
+            S_tx: make("S_tx", &inputs.S_tx),
+            S_ty: make("S_ty", &inputs.S_ty),
+            S_tt: make("S_tt", &inputs.S_tt),
         }
-        if start < points {
-            let result = scaled_entries_body(&ScaledEntriesInputs {
-                m: Lanes::<N, FUSED>::load_tail(inputs.m, start),
-                r: Lanes::<N, FUSED>::load_tail(inputs.r, start),
-                L_g: Lanes::<N, FUSED>::load_tail(inputs.L_g, start),
-                cos_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.cos_alpha_g_plus_theta_0, start),
-                sin_alpha_g_plus_theta_0: Lanes::<N, FUSED>::load_tail(inputs.sin_alpha_g_plus_theta_0, start),
-                omega_x: Lanes::<N, FUSED>::load_tail(inputs.omega_x, start),
-                omega_y: Lanes::<N, FUSED>::load_tail(inputs.omega_y, start),
-                omega_theta: Lanes::<N, FUSED>::load_tail(inputs.omega_theta, start),
-                zeta_x: Lanes::<N, FUSED>::load_tail(inputs.zeta_x, start),
-                zeta_y: Lanes::<N, FUSED>::load_tail(inputs.zeta_y, start),
-                zeta_theta: Lanes::<N, FUSED>::load_tail(inputs.zeta_theta, start),
-                rho: Lanes::<N, FUSED>::load_tail(inputs.rho, start),
-                D: Lanes::<N, FUSED>::load_tail(inputs.D, start),
-                U: Lanes::<N, FUSED>::load_tail(inputs.U, start),
-                S_xx: Lanes::<N, FUSED>::load_tail(inputs.S_xx, start),
-                S_xy: Lanes::<N, FUSED>::load_tail(inputs.S_xy, start),
-                S_yx: Lanes::<N, FUSED>::load_tail(inputs.S_yx, start),
-                S_yy: Lanes::<N, FUSED>::load_tail(inputs.S_yy, start),
-                S_xt: Lanes::<N, FUSED>::load_tail(inputs.S_xt, start),
-                S_yt: Lanes::<N, FUSED>::load_tail(inputs.S_yt, start),
-                S_tx: Lanes::<N, FUSED>::load_tail(inputs.S_tx, start),
-                S_ty: Lanes::<N, FUSED>::load_tail(inputs.S_ty, start),
-                S_tt: Lanes::<N, FUSED>::load_tail(inputs.S_tt, start),
-            });
-            result.e_s.store_tail(outputs.e_s, start);
-            result.e_c.store_tail(outputs.e_c, start);
-            result.w_11.store_tail(outputs.w_11, start);
-            result.w_12.store_tail(outputs.w_12, start);
-            result.w_13.store_tail(outputs.w_13, start);
-            result.w_21.store_tail(outputs.w_21, start);
-            result.w_22.store_tail(outputs.w_22, start);
-            result.w_23.store_tail(outputs.w_23, start);
-            result.w_31.store_tail(outputs.w_31, start);
-            result.w_32.store_tail(outputs.w_32, start);
-            result.w_33.store_tail(outputs.w_33, start);
-            result.z_1.store_tail(outputs.z_1, start);
-            result.z_2.store_tail(outputs.z_2, start);
-            result.z_3.store_tail(outputs.z_3, start);
+    }
+
+    #[inline(always)]
+    fn outputs<'a, T: 'a, To>(
+        outputs: &'a mut ScaledEntriesOutputs<T>,
+        mut make: impl FnMut(&'static str, &'a mut T) -> To,
+    ) -> ScaledEntriesOutputs<To> {
+        ScaledEntriesOutputs {
+            e_s: make("e_s", &mut outputs.e_s),
+            e_c: make("e_c", &mut outputs.e_c),
+            w_11: make("w_11", &mut outputs.w_11),
+            w_12: make("w_12", &mut outputs.w_12),
+            w_13: make("w_13", &mut outputs.w_13),
+            w_21: make("w_21", &mut outputs.w_21),
+            w_22: make("w_22", &mut outputs.w_22),
+            w_23: make("w_23", &mut outputs.w_23),
+            w_31: make("w_31", &mut outputs.w_31),
+            w_32: make("w_32", &mut outputs.w_32),
+            w_33: make("w_33", &mut outputs.w_33),
+            z_1: make("z_1", &mut outputs.z_1),
+            z_2: make("z_2", &mut outputs.z_2),
+            z_3: make("z_3", &mut outputs.z_3),
         }
+    }
+
+    #[inline(always)]
+    fn pairs<T, Other>(
+        outputs: ScaledEntriesOutputs<T>,
+        others: ScaledEntriesOutputs<Other>,
+    ) -> ScaledEntriesOutputs<(T, Other)> {
+        ScaledEntriesOutputs {
+            e_s: (outputs.e_s, others.e_s),
+            e_c: (outputs.e_c, others.e_c),
+            w_11: (outputs.w_11, others.w_11),
+            w_12: (outputs.w_12, others.w_12),
+            w_13: (outputs.w_13, others.w_13),
+            w_21: (outputs.w_21, others.w_21),
+            w_22: (outputs.w_22, others.w_22),
+            w_23: (outputs.w_23, others.w_23),
+            w_31: (outputs.w_31, others.w_31),
+            w_32: (outputs.w_32, others.w_32),
+            w_33: (outputs.w_33, others.w_33),
+            z_1: (outputs.z_1, others.z_1),
+            z_2: (outputs.z_2, others.z_2),
+            z_3: (outputs.z_3, others.z_3),
+        }
+    }
+
+    #[inline(always)]
+    fn body<T: Lanes>(inputs: &ScaledEntriesInputs<T>) -> ScaledEntriesOutputs<T> {
+        scaled_entries_body(inputs)
     }
 }

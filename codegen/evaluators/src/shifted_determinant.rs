@@ -13,8 +13,9 @@
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
+use super::batch::{self, Batched};
 use super::bounded::Bounded;
-use super::dispatch::{Kernel, LengthMismatch, Level, Mode};
+use super::dispatch::{LengthMismatch, Level, Mode};
 use super::lanes::Lanes;
 
 /// The inputs of [`shifted_determinant`].
@@ -66,52 +67,10 @@ pub struct ShiftedDeterminantOutputs<T> {
 }
 
 /// The inputs of [`shifted_determinant_batch`]: slices of one length.
-#[derive(Clone, Copy, Debug)]
-pub struct ShiftedDeterminantSlices<'a> {
-    /// Natural frequencies of the uncoupled motions (ω_x), in `1/s`.
-    pub omega_x: &'a [f64],
-    /// Natural frequencies of the uncoupled motions (ω_y), in `1/s`.
-    pub omega_y: &'a [f64],
-    /// Natural frequencies of the uncoupled motions (ω_θ), in `1/s`.
-    pub omega_theta: &'a [f64],
-    /// Eccentricity L_g/r times the sine and the cosine of the angle of G, dimensionless.
-    pub e_s: &'a [f64],
-    /// Eccentricity L_g/r times the sine and the cosine of the angle of G, dimensionless.
-    pub e_c: &'a [f64],
-    /// Damping over mass, in `1/s`.
-    pub c_xx: &'a [f64],
-    /// Damping over mass, in `1/s`.
-    pub c_xy: &'a [f64],
-    /// Damping over mass, in `1/s`.
-    pub c_yx: &'a [f64],
-    /// Damping over mass, in `1/s`.
-    pub c_yy: &'a [f64],
-    /// Damping over mass (c_xθ), in `1/s`.
-    pub c_xt: &'a [f64],
-    /// Damping over mass (c_yθ), in `1/s`.
-    pub c_yt: &'a [f64],
-    /// Damping over mass (c_θx), in `1/s`.
-    pub c_tx: &'a [f64],
-    /// Damping over mass (c_θy), in `1/s`.
-    pub c_ty: &'a [f64],
-    /// Damping over mass (c_θθ), in `1/s`.
-    pub c_tt: &'a [f64],
-    /// Reference frequency, near the natural ones (ω_0), in `1/s`.
-    pub omega_0: &'a [f64],
-    /// Real and imaginary part of ν_c (ν_r), in `1/s`.
-    pub nu_r: &'a [f64],
-    /// Real and imaginary part of ν_c (ν_i), in `1/s`.
-    pub nu_i: &'a [f64],
-}
+pub type ShiftedDeterminantSlices<'a> = ShiftedDeterminantInputs<&'a [f64]>;
 
 /// The outputs of [`shifted_determinant_batch`]: slices of the length of the inputs.
-#[derive(Debug)]
-pub struct ShiftedDeterminantSlicesMut<'a> {
-    /// In `1/s⁶`.
-    pub re: &'a mut [f64],
-    /// In `1/s⁶`.
-    pub im: &'a mut [f64],
-}
+pub type ShiftedDeterminantSlicesMut<'a> = ShiftedDeterminantOutputs<&'a mut [f64]>;
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
@@ -212,31 +171,6 @@ pub(super) fn shifted_determinant_body<T: Arithmetic>(
 /// - `R_ν := times(off(e_s, c_xθ), off(e_s, c_θx))`
 /// - `h_0 := c_xy·c_yx`
 ///
-/// # Inputs
-///
-/// - `omega_x`: Natural frequencies of the uncoupled motions (ω_x), in `1/s`.
-/// - `omega_y`: Natural frequencies of the uncoupled motions (ω_y), in `1/s`.
-/// - `omega_theta`: Natural frequencies of the uncoupled motions (ω_θ), in `1/s`.
-/// - `e_s`: Eccentricity L_g/r times the sine and the cosine of the angle of G, dimensionless.
-/// - `e_c`: Eccentricity L_g/r times the sine and the cosine of the angle of G, dimensionless.
-/// - `c_xx`: Damping over mass, in `1/s`.
-/// - `c_xy`: Damping over mass, in `1/s`.
-/// - `c_yx`: Damping over mass, in `1/s`.
-/// - `c_yy`: Damping over mass, in `1/s`.
-/// - `c_xt`: Damping over mass (c_xθ), in `1/s`.
-/// - `c_yt`: Damping over mass (c_yθ), in `1/s`.
-/// - `c_tx`: Damping over mass (c_θx), in `1/s`.
-/// - `c_ty`: Damping over mass (c_θy), in `1/s`.
-/// - `c_tt`: Damping over mass (c_θθ), in `1/s`.
-/// - `omega_0`: Reference frequency, near the natural ones (ω_0), in `1/s`.
-/// - `nu_r`: Real and imaginary part of ν_c (ν_r), in `1/s`.
-/// - `nu_i`: Real and imaginary part of ν_c (ν_i), in `1/s`.
-///
-/// # Outputs
-///
-/// - `re`: In `1/s⁶`.
-/// - `im`: In `1/s⁶`.
-///
 /// # Conditions
 ///
 /// The derivation assumes:
@@ -289,25 +223,7 @@ pub fn shifted_determinant(inputs: &ShiftedDeterminantInputs<f64>) -> ShiftedDet
 pub fn shifted_determinant_with_bound(
     inputs: &ShiftedDeterminantInputs<f64>,
 ) -> ShiftedDeterminantOutputs<Bounded> {
-    shifted_determinant_body(&ShiftedDeterminantInputs {
-        omega_x: Bounded::exact(inputs.omega_x),
-        omega_y: Bounded::exact(inputs.omega_y),
-        omega_theta: Bounded::exact(inputs.omega_theta),
-        e_s: Bounded::exact(inputs.e_s),
-        e_c: Bounded::exact(inputs.e_c),
-        c_xx: Bounded::exact(inputs.c_xx),
-        c_xy: Bounded::exact(inputs.c_xy),
-        c_yx: Bounded::exact(inputs.c_yx),
-        c_yy: Bounded::exact(inputs.c_yy),
-        c_xt: Bounded::exact(inputs.c_xt),
-        c_yt: Bounded::exact(inputs.c_yt),
-        c_tx: Bounded::exact(inputs.c_tx),
-        c_ty: Bounded::exact(inputs.c_ty),
-        c_tt: Bounded::exact(inputs.c_tt),
-        omega_0: Bounded::exact(inputs.omega_0),
-        nu_r: Bounded::exact(inputs.nu_r),
-        nu_i: Bounded::exact(inputs.nu_i),
-    })
+    shifted_determinant_body(&Batch::inputs::<f64, _>(inputs, |_, value| Bounded::exact(*value)))
 }
 
 /// [`shifted_determinant`] at many points, with the best instructions of this machine.
@@ -334,112 +250,66 @@ pub fn shifted_determinant_batch_at(
     outputs: &mut ShiftedDeterminantSlicesMut<'_>,
     mode: Mode,
 ) -> Result<(), LengthMismatch> {
-    let points = inputs.omega_x.len();
-    LengthMismatch::check("omega_x", points, inputs.omega_x.len())?;
-    LengthMismatch::check("omega_y", points, inputs.omega_y.len())?;
-    LengthMismatch::check("omega_theta", points, inputs.omega_theta.len())?;
-    LengthMismatch::check("e_s", points, inputs.e_s.len())?;
-    LengthMismatch::check("e_c", points, inputs.e_c.len())?;
-    LengthMismatch::check("c_xx", points, inputs.c_xx.len())?;
-    LengthMismatch::check("c_xy", points, inputs.c_xy.len())?;
-    LengthMismatch::check("c_yx", points, inputs.c_yx.len())?;
-    LengthMismatch::check("c_yy", points, inputs.c_yy.len())?;
-    LengthMismatch::check("c_xt", points, inputs.c_xt.len())?;
-    LengthMismatch::check("c_yt", points, inputs.c_yt.len())?;
-    LengthMismatch::check("c_tx", points, inputs.c_tx.len())?;
-    LengthMismatch::check("c_ty", points, inputs.c_ty.len())?;
-    LengthMismatch::check("c_tt", points, inputs.c_tt.len())?;
-    LengthMismatch::check("omega_0", points, inputs.omega_0.len())?;
-    LengthMismatch::check("nu_r", points, inputs.nu_r.len())?;
-    LengthMismatch::check("nu_i", points, inputs.nu_i.len())?;
-    LengthMismatch::check("re", points, outputs.re.len())?;
-    LengthMismatch::check("im", points, outputs.im.len())?;
-    level.run(mode, Batch { inputs, outputs });
-    Ok(())
+    batch::run::<Batch>(level, inputs, outputs, mode)
 }
 
-/// Slices of one length.
-struct Batch<'a, 'b, 'c> {
-    inputs: &'a ShiftedDeterminantSlices<'b>,
-    outputs: &'a mut ShiftedDeterminantSlicesMut<'c>,
-}
+/// What a batch needs to know.
+pub(super) struct Batch;
 
-impl Kernel for Batch<'_, '_, '_> {
+impl Batched for Batch {
+    type Inputs<T> = ShiftedDeterminantInputs<T>;
+    type Outputs<T> = ShiftedDeterminantOutputs<T>;
+
     #[inline(always)]
-    fn run<const N: usize, const FUSED: bool>(self) {
-        // That all lengths are this one is known to the compiler after this, so that it checks no bounds
-        // inside the loop.
-        let points = self.inputs.omega_x.len();
-        let inputs = ShiftedDeterminantSlices {
-            omega_x: &self.inputs.omega_x[..points],
-            omega_y: &self.inputs.omega_y[..points],
-            omega_theta: &self.inputs.omega_theta[..points],
-            e_s: &self.inputs.e_s[..points],
-            e_c: &self.inputs.e_c[..points],
-            c_xx: &self.inputs.c_xx[..points],
-            c_xy: &self.inputs.c_xy[..points],
-            c_yx: &self.inputs.c_yx[..points],
-            c_yy: &self.inputs.c_yy[..points],
-            c_xt: &self.inputs.c_xt[..points],
-            c_yt: &self.inputs.c_yt[..points],
-            c_tx: &self.inputs.c_tx[..points],
-            c_ty: &self.inputs.c_ty[..points],
-            c_tt: &self.inputs.c_tt[..points],
-            omega_0: &self.inputs.omega_0[..points],
-            nu_r: &self.inputs.nu_r[..points],
-            nu_i: &self.inputs.nu_i[..points],
-        };
-        let outputs = ShiftedDeterminantSlicesMut {
-            re: &mut self.outputs.re[..points],
-            im: &mut self.outputs.im[..points],
-        };
-        let mut start = 0;
-        while points - start >= N {
-            let result = shifted_determinant_body(&ShiftedDeterminantInputs {
-                omega_x: Lanes::<N, FUSED>::load(inputs.omega_x, start),
-                omega_y: Lanes::<N, FUSED>::load(inputs.omega_y, start),
-                omega_theta: Lanes::<N, FUSED>::load(inputs.omega_theta, start),
-                e_s: Lanes::<N, FUSED>::load(inputs.e_s, start),
-                e_c: Lanes::<N, FUSED>::load(inputs.e_c, start),
-                c_xx: Lanes::<N, FUSED>::load(inputs.c_xx, start),
-                c_xy: Lanes::<N, FUSED>::load(inputs.c_xy, start),
-                c_yx: Lanes::<N, FUSED>::load(inputs.c_yx, start),
-                c_yy: Lanes::<N, FUSED>::load(inputs.c_yy, start),
-                c_xt: Lanes::<N, FUSED>::load(inputs.c_xt, start),
-                c_yt: Lanes::<N, FUSED>::load(inputs.c_yt, start),
-                c_tx: Lanes::<N, FUSED>::load(inputs.c_tx, start),
-                c_ty: Lanes::<N, FUSED>::load(inputs.c_ty, start),
-                c_tt: Lanes::<N, FUSED>::load(inputs.c_tt, start),
-                omega_0: Lanes::<N, FUSED>::load(inputs.omega_0, start),
-                nu_r: Lanes::<N, FUSED>::load(inputs.nu_r, start),
-                nu_i: Lanes::<N, FUSED>::load(inputs.nu_i, start),
-            });
-            result.re.store(outputs.re, start);
-            result.im.store(outputs.im, start);
-            start += N;
+    fn inputs<'a, T: 'a, To>(
+        inputs: &'a ShiftedDeterminantInputs<T>,
+        mut make: impl FnMut(&'static str, &'a T) -> To,
+    ) -> ShiftedDeterminantInputs<To> {
+        ShiftedDeterminantInputs {
+            omega_x: make("omega_x", &inputs.omega_x),
+            omega_y: make("omega_y", &inputs.omega_y),
+            omega_theta: make("omega_theta", &inputs.omega_theta),
+            e_s: make("e_s", &inputs.e_s),
+            e_c: make("e_c", &inputs.e_c),
+            c_xx: make("c_xx", &inputs.c_xx),
+            c_xy: make("c_xy", &inputs.c_xy),
+            c_yx: make("c_yx", &inputs.c_yx),
+            c_yy: make("c_yy", &inputs.c_yy),
+            c_xt: make("c_xt", &inputs.c_xt),
+            c_yt: make("c_yt", &inputs.c_yt),
+            c_tx: make("c_tx", &inputs.c_tx),
+            c_ty: make("c_ty", &inputs.c_ty),
+            c_tt: make("c_tt", &inputs.c_tt),
+            omega_0: make("omega_0", &inputs.omega_0),
+            nu_r: make("nu_r", &inputs.nu_r),
+            nu_i: make("nu_i", &inputs.nu_i),
         }
-        if start < points {
-            let result = shifted_determinant_body(&ShiftedDeterminantInputs {
-                omega_x: Lanes::<N, FUSED>::load_tail(inputs.omega_x, start),
-                omega_y: Lanes::<N, FUSED>::load_tail(inputs.omega_y, start),
-                omega_theta: Lanes::<N, FUSED>::load_tail(inputs.omega_theta, start),
-                e_s: Lanes::<N, FUSED>::load_tail(inputs.e_s, start),
-                e_c: Lanes::<N, FUSED>::load_tail(inputs.e_c, start),
-                c_xx: Lanes::<N, FUSED>::load_tail(inputs.c_xx, start),
-                c_xy: Lanes::<N, FUSED>::load_tail(inputs.c_xy, start),
-                c_yx: Lanes::<N, FUSED>::load_tail(inputs.c_yx, start),
-                c_yy: Lanes::<N, FUSED>::load_tail(inputs.c_yy, start),
-                c_xt: Lanes::<N, FUSED>::load_tail(inputs.c_xt, start),
-                c_yt: Lanes::<N, FUSED>::load_tail(inputs.c_yt, start),
-                c_tx: Lanes::<N, FUSED>::load_tail(inputs.c_tx, start),
-                c_ty: Lanes::<N, FUSED>::load_tail(inputs.c_ty, start),
-                c_tt: Lanes::<N, FUSED>::load_tail(inputs.c_tt, start),
-                omega_0: Lanes::<N, FUSED>::load_tail(inputs.omega_0, start),
-                nu_r: Lanes::<N, FUSED>::load_tail(inputs.nu_r, start),
-                nu_i: Lanes::<N, FUSED>::load_tail(inputs.nu_i, start),
-            });
-            result.re.store_tail(outputs.re, start);
-            result.im.store_tail(outputs.im, start);
+    }
+
+    #[inline(always)]
+    fn outputs<'a, T: 'a, To>(
+        outputs: &'a mut ShiftedDeterminantOutputs<T>,
+        mut make: impl FnMut(&'static str, &'a mut T) -> To,
+    ) -> ShiftedDeterminantOutputs<To> {
+        ShiftedDeterminantOutputs {
+            re: make("re", &mut outputs.re),
+            im: make("im", &mut outputs.im),
         }
+    }
+
+    #[inline(always)]
+    fn pairs<T, Other>(
+        outputs: ShiftedDeterminantOutputs<T>,
+        others: ShiftedDeterminantOutputs<Other>,
+    ) -> ShiftedDeterminantOutputs<(T, Other)> {
+        ShiftedDeterminantOutputs {
+            re: (outputs.re, others.re),
+            im: (outputs.im, others.im),
+        }
+    }
+
+    #[inline(always)]
+    fn body<T: Lanes>(inputs: &ShiftedDeterminantInputs<T>) -> ShiftedDeterminantOutputs<T> {
+        shifted_determinant_body(inputs)
     }
 }

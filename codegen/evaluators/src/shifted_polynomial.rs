@@ -13,8 +13,9 @@
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
+use super::batch::{self, Batched};
 use super::bounded::Bounded;
-use super::dispatch::{Kernel, LengthMismatch, Level, Mode};
+use super::dispatch::{LengthMismatch, Level, Mode};
 use super::lanes::Lanes;
 
 /// The inputs of [`shifted_polynomial`].
@@ -94,80 +95,10 @@ pub struct ShiftedPolynomialOutputs<T> {
 }
 
 /// The inputs of [`shifted_polynomial_batch`]: slices of one length.
-#[derive(Clone, Copy, Debug)]
-pub struct ShiftedPolynomialSlices<'a> {
-    /// Natural frequencies of the uncoupled motions (ω_x), in `1/s`.
-    pub omega_x: &'a [f64],
-    /// Natural frequencies of the uncoupled motions (ω_y), in `1/s`.
-    pub omega_y: &'a [f64],
-    /// Natural frequencies of the uncoupled motions (ω_θ), in `1/s`.
-    pub omega_theta: &'a [f64],
-    /// Eccentricity L_g/r times the sine and the cosine of the angle of G, dimensionless.
-    pub e_s: &'a [f64],
-    /// Eccentricity L_g/r times the sine and the cosine of the angle of G, dimensionless.
-    pub e_c: &'a [f64],
-    /// Damping over mass, in `1/s`.
-    pub c_xx: &'a [f64],
-    /// Damping over mass, in `1/s`.
-    pub c_xy: &'a [f64],
-    /// Damping over mass, in `1/s`.
-    pub c_yx: &'a [f64],
-    /// Damping over mass, in `1/s`.
-    pub c_yy: &'a [f64],
-    /// Damping over mass (c_xθ), in `1/s`.
-    pub c_xt: &'a [f64],
-    /// Damping over mass (c_yθ), in `1/s`.
-    pub c_yt: &'a [f64],
-    /// Damping over mass (c_θx), in `1/s`.
-    pub c_tx: &'a [f64],
-    /// Damping over mass (c_θy), in `1/s`.
-    pub c_ty: &'a [f64],
-    /// Damping over mass (c_θθ), in `1/s`.
-    pub c_tt: &'a [f64],
-    /// Reference frequency, near the natural ones (ω_0), in `1/s`.
-    pub omega_0: &'a [f64],
-}
+pub type ShiftedPolynomialSlices<'a> = ShiftedPolynomialInputs<&'a [f64]>;
 
 /// The outputs of [`shifted_polynomial_batch`]: slices of the length of the inputs.
-#[derive(Debug)]
-pub struct ShiftedPolynomialSlicesMut<'a> {
-    /// In `1/s⁶`.
-    pub re_0: &'a mut [f64],
-    /// In `1/s⁶`.
-    pub im_0: &'a mut [f64],
-    /// In `1/s⁵`.
-    pub re_1: &'a mut [f64],
-    /// In `1/s⁵`.
-    pub im_1: &'a mut [f64],
-    /// In `1/s⁴`.
-    pub re_2: &'a mut [f64],
-    /// In `1/s⁴`.
-    pub im_2: &'a mut [f64],
-    /// In `1/s³`.
-    pub re_3: &'a mut [f64],
-    /// In `1/s³`.
-    pub im_3: &'a mut [f64],
-    /// In `1/s²`.
-    pub re_4: &'a mut [f64],
-    /// In `1/s²`.
-    pub im_4: &'a mut [f64],
-    /// In `1/s`.
-    pub re_5: &'a mut [f64],
-    /// In `1/s`.
-    pub im_5: &'a mut [f64],
-    /// Dimensionless.
-    pub a_6: &'a mut [f64],
-    /// In `1/s`.
-    pub a_5: &'a mut [f64],
-    /// In `1/s²`.
-    pub a_4: &'a mut [f64],
-    /// In `1/s³`.
-    pub a_3: &'a mut [f64],
-    /// In `1/s⁴`.
-    pub a_2: &'a mut [f64],
-    /// In `1/s⁵`.
-    pub a_1: &'a mut [f64],
-}
+pub type ShiftedPolynomialSlicesMut<'a> = ShiftedPolynomialOutputs<&'a mut [f64]>;
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
@@ -348,45 +279,6 @@ pub(super) fn shifted_polynomial_body<T: Arithmetic>(
 /// - `a_1 := c_θθ·(x_2·y_2) + θ_2·(c_xx·y_2 + c_yy·x_2)`
 /// - `…`
 ///
-/// # Inputs
-///
-/// - `omega_x`: Natural frequencies of the uncoupled motions (ω_x), in `1/s`.
-/// - `omega_y`: Natural frequencies of the uncoupled motions (ω_y), in `1/s`.
-/// - `omega_theta`: Natural frequencies of the uncoupled motions (ω_θ), in `1/s`.
-/// - `e_s`: Eccentricity L_g/r times the sine and the cosine of the angle of G, dimensionless.
-/// - `e_c`: Eccentricity L_g/r times the sine and the cosine of the angle of G, dimensionless.
-/// - `c_xx`: Damping over mass, in `1/s`.
-/// - `c_xy`: Damping over mass, in `1/s`.
-/// - `c_yx`: Damping over mass, in `1/s`.
-/// - `c_yy`: Damping over mass, in `1/s`.
-/// - `c_xt`: Damping over mass (c_xθ), in `1/s`.
-/// - `c_yt`: Damping over mass (c_yθ), in `1/s`.
-/// - `c_tx`: Damping over mass (c_θx), in `1/s`.
-/// - `c_ty`: Damping over mass (c_θy), in `1/s`.
-/// - `c_tt`: Damping over mass (c_θθ), in `1/s`.
-/// - `omega_0`: Reference frequency, near the natural ones (ω_0), in `1/s`.
-///
-/// # Outputs
-///
-/// - `re_0`: In `1/s⁶`.
-/// - `im_0`: In `1/s⁶`.
-/// - `re_1`: In `1/s⁵`.
-/// - `im_1`: In `1/s⁵`.
-/// - `re_2`: In `1/s⁴`.
-/// - `im_2`: In `1/s⁴`.
-/// - `re_3`: In `1/s³`.
-/// - `im_3`: In `1/s³`.
-/// - `re_4`: In `1/s²`.
-/// - `im_4`: In `1/s²`.
-/// - `re_5`: In `1/s`.
-/// - `im_5`: In `1/s`.
-/// - `a_6`: Dimensionless.
-/// - `a_5`: In `1/s`.
-/// - `a_4`: In `1/s²`.
-/// - `a_3`: In `1/s³`.
-/// - `a_2`: In `1/s⁴`.
-/// - `a_1`: In `1/s⁵`.
-///
 /// # Conditions
 ///
 /// The derivation assumes:
@@ -455,23 +347,7 @@ pub fn shifted_polynomial(inputs: &ShiftedPolynomialInputs<f64>) -> ShiftedPolyn
 pub fn shifted_polynomial_with_bound(
     inputs: &ShiftedPolynomialInputs<f64>,
 ) -> ShiftedPolynomialOutputs<Bounded> {
-    shifted_polynomial_body(&ShiftedPolynomialInputs {
-        omega_x: Bounded::exact(inputs.omega_x),
-        omega_y: Bounded::exact(inputs.omega_y),
-        omega_theta: Bounded::exact(inputs.omega_theta),
-        e_s: Bounded::exact(inputs.e_s),
-        e_c: Bounded::exact(inputs.e_c),
-        c_xx: Bounded::exact(inputs.c_xx),
-        c_xy: Bounded::exact(inputs.c_xy),
-        c_yx: Bounded::exact(inputs.c_yx),
-        c_yy: Bounded::exact(inputs.c_yy),
-        c_xt: Bounded::exact(inputs.c_xt),
-        c_yt: Bounded::exact(inputs.c_yt),
-        c_tx: Bounded::exact(inputs.c_tx),
-        c_ty: Bounded::exact(inputs.c_ty),
-        c_tt: Bounded::exact(inputs.c_tt),
-        omega_0: Bounded::exact(inputs.omega_0),
-    })
+    shifted_polynomial_body(&Batch::inputs::<f64, _>(inputs, |_, value| Bounded::exact(*value)))
 }
 
 /// [`shifted_polynomial`] at many points, with the best instructions of this machine.
@@ -498,168 +374,96 @@ pub fn shifted_polynomial_batch_at(
     outputs: &mut ShiftedPolynomialSlicesMut<'_>,
     mode: Mode,
 ) -> Result<(), LengthMismatch> {
-    let points = inputs.omega_x.len();
-    LengthMismatch::check("omega_x", points, inputs.omega_x.len())?;
-    LengthMismatch::check("omega_y", points, inputs.omega_y.len())?;
-    LengthMismatch::check("omega_theta", points, inputs.omega_theta.len())?;
-    LengthMismatch::check("e_s", points, inputs.e_s.len())?;
-    LengthMismatch::check("e_c", points, inputs.e_c.len())?;
-    LengthMismatch::check("c_xx", points, inputs.c_xx.len())?;
-    LengthMismatch::check("c_xy", points, inputs.c_xy.len())?;
-    LengthMismatch::check("c_yx", points, inputs.c_yx.len())?;
-    LengthMismatch::check("c_yy", points, inputs.c_yy.len())?;
-    LengthMismatch::check("c_xt", points, inputs.c_xt.len())?;
-    LengthMismatch::check("c_yt", points, inputs.c_yt.len())?;
-    LengthMismatch::check("c_tx", points, inputs.c_tx.len())?;
-    LengthMismatch::check("c_ty", points, inputs.c_ty.len())?;
-    LengthMismatch::check("c_tt", points, inputs.c_tt.len())?;
-    LengthMismatch::check("omega_0", points, inputs.omega_0.len())?;
-    LengthMismatch::check("re_0", points, outputs.re_0.len())?;
-    LengthMismatch::check("im_0", points, outputs.im_0.len())?;
-    LengthMismatch::check("re_1", points, outputs.re_1.len())?;
-    LengthMismatch::check("im_1", points, outputs.im_1.len())?;
-    LengthMismatch::check("re_2", points, outputs.re_2.len())?;
-    LengthMismatch::check("im_2", points, outputs.im_2.len())?;
-    LengthMismatch::check("re_3", points, outputs.re_3.len())?;
-    LengthMismatch::check("im_3", points, outputs.im_3.len())?;
-    LengthMismatch::check("re_4", points, outputs.re_4.len())?;
-    LengthMismatch::check("im_4", points, outputs.im_4.len())?;
-    LengthMismatch::check("re_5", points, outputs.re_5.len())?;
-    LengthMismatch::check("im_5", points, outputs.im_5.len())?;
-    LengthMismatch::check("a_6", points, outputs.a_6.len())?;
-    LengthMismatch::check("a_5", points, outputs.a_5.len())?;
-    LengthMismatch::check("a_4", points, outputs.a_4.len())?;
-    LengthMismatch::check("a_3", points, outputs.a_3.len())?;
-    LengthMismatch::check("a_2", points, outputs.a_2.len())?;
-    LengthMismatch::check("a_1", points, outputs.a_1.len())?;
-    level.run(mode, Batch { inputs, outputs });
-    Ok(())
+    batch::run::<Batch>(level, inputs, outputs, mode)
 }
 
-/// Slices of one length.
-struct Batch<'a, 'b, 'c> {
-    inputs: &'a ShiftedPolynomialSlices<'b>,
-    outputs: &'a mut ShiftedPolynomialSlicesMut<'c>,
-}
+/// What a batch needs to know.
+pub(super) struct Batch;
 
-impl Kernel for Batch<'_, '_, '_> {
+impl Batched for Batch {
+    type Inputs<T> = ShiftedPolynomialInputs<T>;
+    type Outputs<T> = ShiftedPolynomialOutputs<T>;
+
     #[inline(always)]
-    fn run<const N: usize, const FUSED: bool>(self) {
-        // That all lengths are this one is known to the compiler after this, so that it checks no bounds
-        // inside the loop.
-        let points = self.inputs.omega_x.len();
-        let inputs = ShiftedPolynomialSlices {
-            omega_x: &self.inputs.omega_x[..points],
-            omega_y: &self.inputs.omega_y[..points],
-            omega_theta: &self.inputs.omega_theta[..points],
-            e_s: &self.inputs.e_s[..points],
-            e_c: &self.inputs.e_c[..points],
-            c_xx: &self.inputs.c_xx[..points],
-            c_xy: &self.inputs.c_xy[..points],
-            c_yx: &self.inputs.c_yx[..points],
-            c_yy: &self.inputs.c_yy[..points],
-            c_xt: &self.inputs.c_xt[..points],
-            c_yt: &self.inputs.c_yt[..points],
-            c_tx: &self.inputs.c_tx[..points],
-            c_ty: &self.inputs.c_ty[..points],
-            c_tt: &self.inputs.c_tt[..points],
-            omega_0: &self.inputs.omega_0[..points],
-        };
-        let outputs = ShiftedPolynomialSlicesMut {
-            re_0: &mut self.outputs.re_0[..points],
-            im_0: &mut self.outputs.im_0[..points],
-            re_1: &mut self.outputs.re_1[..points],
-            im_1: &mut self.outputs.im_1[..points],
-            re_2: &mut self.outputs.re_2[..points],
-            im_2: &mut self.outputs.im_2[..points],
-            re_3: &mut self.outputs.re_3[..points],
-            im_3: &mut self.outputs.im_3[..points],
-            re_4: &mut self.outputs.re_4[..points],
-            im_4: &mut self.outputs.im_4[..points],
-            re_5: &mut self.outputs.re_5[..points],
-            im_5: &mut self.outputs.im_5[..points],
-            a_6: &mut self.outputs.a_6[..points],
-            a_5: &mut self.outputs.a_5[..points],
-            a_4: &mut self.outputs.a_4[..points],
-            a_3: &mut self.outputs.a_3[..points],
-            a_2: &mut self.outputs.a_2[..points],
-            a_1: &mut self.outputs.a_1[..points],
-        };
-        let mut start = 0;
-        while points - start >= N {
-            let result = shifted_polynomial_body(&ShiftedPolynomialInputs {
-                omega_x: Lanes::<N, FUSED>::load(inputs.omega_x, start),
-                omega_y: Lanes::<N, FUSED>::load(inputs.omega_y, start),
-                omega_theta: Lanes::<N, FUSED>::load(inputs.omega_theta, start),
-                e_s: Lanes::<N, FUSED>::load(inputs.e_s, start),
-                e_c: Lanes::<N, FUSED>::load(inputs.e_c, start),
-                c_xx: Lanes::<N, FUSED>::load(inputs.c_xx, start),
-                c_xy: Lanes::<N, FUSED>::load(inputs.c_xy, start),
-                c_yx: Lanes::<N, FUSED>::load(inputs.c_yx, start),
-                c_yy: Lanes::<N, FUSED>::load(inputs.c_yy, start),
-                c_xt: Lanes::<N, FUSED>::load(inputs.c_xt, start),
-                c_yt: Lanes::<N, FUSED>::load(inputs.c_yt, start),
-                c_tx: Lanes::<N, FUSED>::load(inputs.c_tx, start),
-                c_ty: Lanes::<N, FUSED>::load(inputs.c_ty, start),
-                c_tt: Lanes::<N, FUSED>::load(inputs.c_tt, start),
-                omega_0: Lanes::<N, FUSED>::load(inputs.omega_0, start),
-            });
-            result.re_0.store(outputs.re_0, start);
-            result.im_0.store(outputs.im_0, start);
-            result.re_1.store(outputs.re_1, start);
-            result.im_1.store(outputs.im_1, start);
-            result.re_2.store(outputs.re_2, start);
-            result.im_2.store(outputs.im_2, start);
-            result.re_3.store(outputs.re_3, start);
-            result.im_3.store(outputs.im_3, start);
-            result.re_4.store(outputs.re_4, start);
-            result.im_4.store(outputs.im_4, start);
-            result.re_5.store(outputs.re_5, start);
-            result.im_5.store(outputs.im_5, start);
-            result.a_6.store(outputs.a_6, start);
-            result.a_5.store(outputs.a_5, start);
-            result.a_4.store(outputs.a_4, start);
-            result.a_3.store(outputs.a_3, start);
-            result.a_2.store(outputs.a_2, start);
-            result.a_1.store(outputs.a_1, start);
-            start += N;
+    fn inputs<'a, T: 'a, To>(
+        inputs: &'a ShiftedPolynomialInputs<T>,
+        mut make: impl FnMut(&'static str, &'a T) -> To,
+    ) -> ShiftedPolynomialInputs<To> {
+        ShiftedPolynomialInputs {
+            omega_x: make("omega_x", &inputs.omega_x),
+            omega_y: make("omega_y", &inputs.omega_y),
+            omega_theta: make("omega_theta", &inputs.omega_theta),
+            e_s: make("e_s", &inputs.e_s),
+            e_c: make("e_c", &inputs.e_c),
+            c_xx: make("c_xx", &inputs.c_xx),
+            c_xy: make("c_xy", &inputs.c_xy),
+            c_yx: make("c_yx", &inputs.c_yx),
+            c_yy: make("c_yy", &inputs.c_yy),
+            c_xt: make("c_xt", &inputs.c_xt),
+            c_yt: make("c_yt", &inputs.c_yt),
+            c_tx: make("c_tx", &inputs.c_tx),
+            c_ty: make("c_ty", &inputs.c_ty),
+            c_tt: make("c_tt", &inputs.c_tt),
+            omega_0: make("omega_0", &inputs.omega_0),
         }
-        if start < points {
-            let result = shifted_polynomial_body(&ShiftedPolynomialInputs {
-                omega_x: Lanes::<N, FUSED>::load_tail(inputs.omega_x, start),
-                omega_y: Lanes::<N, FUSED>::load_tail(inputs.omega_y, start),
-                omega_theta: Lanes::<N, FUSED>::load_tail(inputs.omega_theta, start),
-                e_s: Lanes::<N, FUSED>::load_tail(inputs.e_s, start),
-                e_c: Lanes::<N, FUSED>::load_tail(inputs.e_c, start),
-                c_xx: Lanes::<N, FUSED>::load_tail(inputs.c_xx, start),
-                c_xy: Lanes::<N, FUSED>::load_tail(inputs.c_xy, start),
-                c_yx: Lanes::<N, FUSED>::load_tail(inputs.c_yx, start),
-                c_yy: Lanes::<N, FUSED>::load_tail(inputs.c_yy, start),
-                c_xt: Lanes::<N, FUSED>::load_tail(inputs.c_xt, start),
-                c_yt: Lanes::<N, FUSED>::load_tail(inputs.c_yt, start),
-                c_tx: Lanes::<N, FUSED>::load_tail(inputs.c_tx, start),
-                c_ty: Lanes::<N, FUSED>::load_tail(inputs.c_ty, start),
-                c_tt: Lanes::<N, FUSED>::load_tail(inputs.c_tt, start),
-                omega_0: Lanes::<N, FUSED>::load_tail(inputs.omega_0, start),
-            });
-            result.re_0.store_tail(outputs.re_0, start);
-            result.im_0.store_tail(outputs.im_0, start);
-            result.re_1.store_tail(outputs.re_1, start);
-            result.im_1.store_tail(outputs.im_1, start);
-            result.re_2.store_tail(outputs.re_2, start);
-            result.im_2.store_tail(outputs.im_2, start);
-            result.re_3.store_tail(outputs.re_3, start);
-            result.im_3.store_tail(outputs.im_3, start);
-            result.re_4.store_tail(outputs.re_4, start);
-            result.im_4.store_tail(outputs.im_4, start);
-            result.re_5.store_tail(outputs.re_5, start);
-            result.im_5.store_tail(outputs.im_5, start);
-            result.a_6.store_tail(outputs.a_6, start);
-            result.a_5.store_tail(outputs.a_5, start);
-            result.a_4.store_tail(outputs.a_4, start);
-            result.a_3.store_tail(outputs.a_3, start);
-            result.a_2.store_tail(outputs.a_2, start);
-            result.a_1.store_tail(outputs.a_1, start);
+    }
+
+    #[inline(always)]
+    fn outputs<'a, T: 'a, To>(
+        outputs: &'a mut ShiftedPolynomialOutputs<T>,
+        mut make: impl FnMut(&'static str, &'a mut T) -> To,
+    ) -> ShiftedPolynomialOutputs<To> {
+        ShiftedPolynomialOutputs {
+            re_0: make("re_0", &mut outputs.re_0),
+            im_0: make("im_0", &mut outputs.im_0),
+            re_1: make("re_1", &mut outputs.re_1),
+            im_1: make("im_1", &mut outputs.im_1),
+            re_2: make("re_2", &mut outputs.re_2),
+            im_2: make("im_2", &mut outputs.im_2),
+            re_3: make("re_3", &mut outputs.re_3),
+            im_3: make("im_3", &mut outputs.im_3),
+            re_4: make("re_4", &mut outputs.re_4),
+            im_4: make("im_4", &mut outputs.im_4),
+            re_5: make("re_5", &mut outputs.re_5),
+            im_5: make("im_5", &mut outputs.im_5),
+            a_6: make("a_6", &mut outputs.a_6),
+            a_5: make("a_5", &mut outputs.a_5),
+            a_4: make("a_4", &mut outputs.a_4),
+            a_3: make("a_3", &mut outputs.a_3),
+            a_2: make("a_2", &mut outputs.a_2),
+            a_1: make("a_1", &mut outputs.a_1),
         }
+    }
+
+    #[inline(always)]
+    fn pairs<T, Other>(
+        outputs: ShiftedPolynomialOutputs<T>,
+        others: ShiftedPolynomialOutputs<Other>,
+    ) -> ShiftedPolynomialOutputs<(T, Other)> {
+        ShiftedPolynomialOutputs {
+            re_0: (outputs.re_0, others.re_0),
+            im_0: (outputs.im_0, others.im_0),
+            re_1: (outputs.re_1, others.re_1),
+            im_1: (outputs.im_1, others.im_1),
+            re_2: (outputs.re_2, others.re_2),
+            im_2: (outputs.im_2, others.im_2),
+            re_3: (outputs.re_3, others.re_3),
+            im_3: (outputs.im_3, others.im_3),
+            re_4: (outputs.re_4, others.re_4),
+            im_4: (outputs.im_4, others.im_4),
+            re_5: (outputs.re_5, others.re_5),
+            im_5: (outputs.im_5, others.im_5),
+            a_6: (outputs.a_6, others.a_6),
+            a_5: (outputs.a_5, others.a_5),
+            a_4: (outputs.a_4, others.a_4),
+            a_3: (outputs.a_3, others.a_3),
+            a_2: (outputs.a_2, others.a_2),
+            a_1: (outputs.a_1, others.a_1),
+        }
+    }
+
+    #[inline(always)]
+    fn body<T: Lanes>(inputs: &ShiftedPolynomialInputs<T>) -> ShiftedPolynomialOutputs<T> {
+        shifted_polynomial_body(inputs)
     }
 }

@@ -14,8 +14,9 @@
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
+use super::batch::{self, Batched};
 use super::bounded::Bounded;
-use super::dispatch::{Kernel, LengthMismatch, Level, Mode};
+use super::dispatch::{LengthMismatch, Level, Mode};
 use super::lanes::Lanes;
 
 /// The inputs of [`uniform_cubic`].
@@ -67,52 +68,10 @@ pub struct UniformCubicOutputs<T> {
 }
 
 /// The inputs of [`uniform_cubic_batch`]: slices of one length.
-#[derive(Clone, Copy, Debug)]
-pub struct UniformCubicSlices<'a> {
-    /// Frequency of an undamped mode (ν_2), in `1/s`.
-    pub nu_2: &'a [f64],
-    /// Damping in modal coordinates, in `1/s`.
-    pub B_11: &'a [f64],
-    /// Damping in modal coordinates, in `1/s`.
-    pub B_12: &'a [f64],
-    /// Damping in modal coordinates, in `1/s`.
-    pub B_13: &'a [f64],
-    /// Damping in modal coordinates, in `1/s`.
-    pub B_21: &'a [f64],
-    /// Damping in modal coordinates, in `1/s`.
-    pub B_22: &'a [f64],
-    /// Damping in modal coordinates, in `1/s`.
-    pub B_23: &'a [f64],
-    /// Damping in modal coordinates, in `1/s`.
-    pub B_31: &'a [f64],
-    /// Damping in modal coordinates, in `1/s`.
-    pub B_32: &'a [f64],
-    /// Damping in modal coordinates, in `1/s`.
-    pub B_33: &'a [f64],
-    /// How far ν_1 and ν_3 are above ν_2 (Δ_1), in `1/s`.
-    pub Delta_1: &'a [f64],
-    /// How far ν_1 and ν_3 are above ν_2 (Δ_3), in `1/s`.
-    pub Delta_3: &'a [f64],
-    /// 0 for the first form, 1 for the second, dimensionless.
-    pub second: &'a [f64],
-}
+pub type UniformCubicSlices<'a> = UniformCubicInputs<&'a [f64]>;
 
 /// The outputs of [`uniform_cubic_batch`]: slices of the length of the inputs.
-#[derive(Debug)]
-pub struct UniformCubicSlicesMut<'a> {
-    /// In `1/s`.
-    pub re_1: &'a mut [f64],
-    /// In `1/s²`.
-    pub re_2: &'a mut [f64],
-    /// In `1/s³`.
-    pub re_3: &'a mut [f64],
-    /// In `1/s`.
-    pub im_1: &'a mut [f64],
-    /// In `1/s²`.
-    pub im_2: &'a mut [f64],
-    /// In `1/s³`.
-    pub im_3: &'a mut [f64],
-}
+pub type UniformCubicSlicesMut<'a> = UniformCubicOutputs<&'a mut [f64]>;
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
@@ -255,31 +214,6 @@ pub(super) fn uniform_cubic_body<T: Arithmetic>(
 ///   Δ_1), B_22/(2·ν_2), B_23/(2·ν_2 + Δ_3); B_31/(2·ν_2 + Δ_1 + Δ_3), B_32/(2·ν_2 + Δ_3),
 ///   B_33/(2·(ν_2 + Δ_3))]`
 ///
-/// # Inputs
-///
-/// - `nu_2`: Frequency of an undamped mode (ν_2), in `1/s`.
-/// - `B_11`: Damping in modal coordinates, in `1/s`.
-/// - `B_12`: Damping in modal coordinates, in `1/s`.
-/// - `B_13`: Damping in modal coordinates, in `1/s`.
-/// - `B_21`: Damping in modal coordinates, in `1/s`.
-/// - `B_22`: Damping in modal coordinates, in `1/s`.
-/// - `B_23`: Damping in modal coordinates, in `1/s`.
-/// - `B_31`: Damping in modal coordinates, in `1/s`.
-/// - `B_32`: Damping in modal coordinates, in `1/s`.
-/// - `B_33`: Damping in modal coordinates, in `1/s`.
-/// - `Delta_1`: How far ν_1 and ν_3 are above ν_2 (Δ_1), in `1/s`.
-/// - `Delta_3`: How far ν_1 and ν_3 are above ν_2 (Δ_3), in `1/s`.
-/// - `second`: 0 for the first form, 1 for the second, dimensionless.
-///
-/// # Outputs
-///
-/// - `re_1`: In `1/s`.
-/// - `re_2`: In `1/s²`.
-/// - `re_3`: In `1/s³`.
-/// - `im_1`: In `1/s`.
-/// - `im_2`: In `1/s²`.
-/// - `im_3`: In `1/s³`.
-///
 /// # Conditions
 ///
 /// The derivation assumes:
@@ -339,21 +273,7 @@ pub fn uniform_cubic(inputs: &UniformCubicInputs<f64>) -> UniformCubicOutputs<f6
 pub fn uniform_cubic_with_bound(
     inputs: &UniformCubicInputs<f64>,
 ) -> UniformCubicOutputs<Bounded> {
-    uniform_cubic_body(&UniformCubicInputs {
-        nu_2: Bounded::exact(inputs.nu_2),
-        B_11: Bounded::exact(inputs.B_11),
-        B_12: Bounded::exact(inputs.B_12),
-        B_13: Bounded::exact(inputs.B_13),
-        B_21: Bounded::exact(inputs.B_21),
-        B_22: Bounded::exact(inputs.B_22),
-        B_23: Bounded::exact(inputs.B_23),
-        B_31: Bounded::exact(inputs.B_31),
-        B_32: Bounded::exact(inputs.B_32),
-        B_33: Bounded::exact(inputs.B_33),
-        Delta_1: Bounded::exact(inputs.Delta_1),
-        Delta_3: Bounded::exact(inputs.Delta_3),
-        second: Bounded::exact(inputs.second),
-    })
+    uniform_cubic_body(&Batch::inputs::<f64, _>(inputs, |_, value| Bounded::exact(*value)))
 }
 
 /// [`uniform_cubic`] at many points, with the best instructions of this machine.
@@ -380,112 +300,70 @@ pub fn uniform_cubic_batch_at(
     outputs: &mut UniformCubicSlicesMut<'_>,
     mode: Mode,
 ) -> Result<(), LengthMismatch> {
-    let points = inputs.nu_2.len();
-    LengthMismatch::check("nu_2", points, inputs.nu_2.len())?;
-    LengthMismatch::check("B_11", points, inputs.B_11.len())?;
-    LengthMismatch::check("B_12", points, inputs.B_12.len())?;
-    LengthMismatch::check("B_13", points, inputs.B_13.len())?;
-    LengthMismatch::check("B_21", points, inputs.B_21.len())?;
-    LengthMismatch::check("B_22", points, inputs.B_22.len())?;
-    LengthMismatch::check("B_23", points, inputs.B_23.len())?;
-    LengthMismatch::check("B_31", points, inputs.B_31.len())?;
-    LengthMismatch::check("B_32", points, inputs.B_32.len())?;
-    LengthMismatch::check("B_33", points, inputs.B_33.len())?;
-    LengthMismatch::check("Delta_1", points, inputs.Delta_1.len())?;
-    LengthMismatch::check("Delta_3", points, inputs.Delta_3.len())?;
-    LengthMismatch::check("second", points, inputs.second.len())?;
-    LengthMismatch::check("re_1", points, outputs.re_1.len())?;
-    LengthMismatch::check("re_2", points, outputs.re_2.len())?;
-    LengthMismatch::check("re_3", points, outputs.re_3.len())?;
-    LengthMismatch::check("im_1", points, outputs.im_1.len())?;
-    LengthMismatch::check("im_2", points, outputs.im_2.len())?;
-    LengthMismatch::check("im_3", points, outputs.im_3.len())?;
-    level.run(mode, Batch { inputs, outputs });
-    Ok(())
+    batch::run::<Batch>(level, inputs, outputs, mode)
 }
 
-/// Slices of one length.
-struct Batch<'a, 'b, 'c> {
-    inputs: &'a UniformCubicSlices<'b>,
-    outputs: &'a mut UniformCubicSlicesMut<'c>,
-}
+/// What a batch needs to know.
+pub(super) struct Batch;
 
-impl Kernel for Batch<'_, '_, '_> {
+impl Batched for Batch {
+    type Inputs<T> = UniformCubicInputs<T>;
+    type Outputs<T> = UniformCubicOutputs<T>;
+
     #[inline(always)]
-    fn run<const N: usize, const FUSED: bool>(self) {
-        // That all lengths are this one is known to the compiler after this, so that it checks no bounds
-        // inside the loop.
-        let points = self.inputs.nu_2.len();
-        let inputs = UniformCubicSlices {
-            nu_2: &self.inputs.nu_2[..points],
-            B_11: &self.inputs.B_11[..points],
-            B_12: &self.inputs.B_12[..points],
-            B_13: &self.inputs.B_13[..points],
-            B_21: &self.inputs.B_21[..points],
-            B_22: &self.inputs.B_22[..points],
-            B_23: &self.inputs.B_23[..points],
-            B_31: &self.inputs.B_31[..points],
-            B_32: &self.inputs.B_32[..points],
-            B_33: &self.inputs.B_33[..points],
-            Delta_1: &self.inputs.Delta_1[..points],
-            Delta_3: &self.inputs.Delta_3[..points],
-            second: &self.inputs.second[..points],
-        };
-        let outputs = UniformCubicSlicesMut {
-            re_1: &mut self.outputs.re_1[..points],
-            re_2: &mut self.outputs.re_2[..points],
-            re_3: &mut self.outputs.re_3[..points],
-            im_1: &mut self.outputs.im_1[..points],
-            im_2: &mut self.outputs.im_2[..points],
-            im_3: &mut self.outputs.im_3[..points],
-        };
-        let mut start = 0;
-        while points - start >= N {
-            let result = uniform_cubic_body(&UniformCubicInputs {
-                nu_2: Lanes::<N, FUSED>::load(inputs.nu_2, start),
-                B_11: Lanes::<N, FUSED>::load(inputs.B_11, start),
-                B_12: Lanes::<N, FUSED>::load(inputs.B_12, start),
-                B_13: Lanes::<N, FUSED>::load(inputs.B_13, start),
-                B_21: Lanes::<N, FUSED>::load(inputs.B_21, start),
-                B_22: Lanes::<N, FUSED>::load(inputs.B_22, start),
-                B_23: Lanes::<N, FUSED>::load(inputs.B_23, start),
-                B_31: Lanes::<N, FUSED>::load(inputs.B_31, start),
-                B_32: Lanes::<N, FUSED>::load(inputs.B_32, start),
-                B_33: Lanes::<N, FUSED>::load(inputs.B_33, start),
-                Delta_1: Lanes::<N, FUSED>::load(inputs.Delta_1, start),
-                Delta_3: Lanes::<N, FUSED>::load(inputs.Delta_3, start),
-                second: Lanes::<N, FUSED>::load(inputs.second, start),
-            });
-            result.re_1.store(outputs.re_1, start);
-            result.re_2.store(outputs.re_2, start);
-            result.re_3.store(outputs.re_3, start);
-            result.im_1.store(outputs.im_1, start);
-            result.im_2.store(outputs.im_2, start);
-            result.im_3.store(outputs.im_3, start);
-            start += N;
+    fn inputs<'a, T: 'a, To>(
+        inputs: &'a UniformCubicInputs<T>,
+        mut make: impl FnMut(&'static str, &'a T) -> To,
+    ) -> UniformCubicInputs<To> {
+        UniformCubicInputs {
+            nu_2: make("nu_2", &inputs.nu_2),
+            B_11: make("B_11", &inputs.B_11),
+            B_12: make("B_12", &inputs.B_12),
+            B_13: make("B_13", &inputs.B_13),
+            B_21: make("B_21", &inputs.B_21),
+            B_22: make("B_22", &inputs.B_22),
+            B_23: make("B_23", &inputs.B_23),
+            B_31: make("B_31", &inputs.B_31),
+            B_32: make("B_32", &inputs.B_32),
+            B_33: make("B_33", &inputs.B_33),
+            Delta_1: make("Delta_1", &inputs.Delta_1),
+            Delta_3: make("Delta_3", &inputs.Delta_3),
+            second: make("second", &inputs.second),
         }
-        if start < points {
-            let result = uniform_cubic_body(&UniformCubicInputs {
-                nu_2: Lanes::<N, FUSED>::load_tail(inputs.nu_2, start),
-                B_11: Lanes::<N, FUSED>::load_tail(inputs.B_11, start),
-                B_12: Lanes::<N, FUSED>::load_tail(inputs.B_12, start),
-                B_13: Lanes::<N, FUSED>::load_tail(inputs.B_13, start),
-                B_21: Lanes::<N, FUSED>::load_tail(inputs.B_21, start),
-                B_22: Lanes::<N, FUSED>::load_tail(inputs.B_22, start),
-                B_23: Lanes::<N, FUSED>::load_tail(inputs.B_23, start),
-                B_31: Lanes::<N, FUSED>::load_tail(inputs.B_31, start),
-                B_32: Lanes::<N, FUSED>::load_tail(inputs.B_32, start),
-                B_33: Lanes::<N, FUSED>::load_tail(inputs.B_33, start),
-                Delta_1: Lanes::<N, FUSED>::load_tail(inputs.Delta_1, start),
-                Delta_3: Lanes::<N, FUSED>::load_tail(inputs.Delta_3, start),
-                second: Lanes::<N, FUSED>::load_tail(inputs.second, start),
-            });
-            result.re_1.store_tail(outputs.re_1, start);
-            result.re_2.store_tail(outputs.re_2, start);
-            result.re_3.store_tail(outputs.re_3, start);
-            result.im_1.store_tail(outputs.im_1, start);
-            result.im_2.store_tail(outputs.im_2, start);
-            result.im_3.store_tail(outputs.im_3, start);
+    }
+
+    #[inline(always)]
+    fn outputs<'a, T: 'a, To>(
+        outputs: &'a mut UniformCubicOutputs<T>,
+        mut make: impl FnMut(&'static str, &'a mut T) -> To,
+    ) -> UniformCubicOutputs<To> {
+        UniformCubicOutputs {
+            re_1: make("re_1", &mut outputs.re_1),
+            re_2: make("re_2", &mut outputs.re_2),
+            re_3: make("re_3", &mut outputs.re_3),
+            im_1: make("im_1", &mut outputs.im_1),
+            im_2: make("im_2", &mut outputs.im_2),
+            im_3: make("im_3", &mut outputs.im_3),
         }
+    }
+
+    #[inline(always)]
+    fn pairs<T, Other>(
+        outputs: UniformCubicOutputs<T>,
+        others: UniformCubicOutputs<Other>,
+    ) -> UniformCubicOutputs<(T, Other)> {
+        UniformCubicOutputs {
+            re_1: (outputs.re_1, others.re_1),
+            re_2: (outputs.re_2, others.re_2),
+            re_3: (outputs.re_3, others.re_3),
+            im_1: (outputs.im_1, others.im_1),
+            im_2: (outputs.im_2, others.im_2),
+            im_3: (outputs.im_3, others.im_3),
+        }
+    }
+
+    #[inline(always)]
+    fn body<T: Lanes>(inputs: &UniformCubicInputs<T>) -> UniformCubicOutputs<T> {
+        uniform_cubic_body(inputs)
     }
 }

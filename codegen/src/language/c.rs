@@ -17,7 +17,7 @@ use reserved::{FUNCTIONS, RESERVED};
 
 const HEADER: &str = include_str!("../../templates/c/header.h.tera");
 const SOURCE: &str = include_str!("../../templates/c/source.c.tera");
-const BOUNDED: &str = include_str!("../../templates/c/sextic_bounded.h");
+const BOUNDED: &str = include_str!("../../support/sextic_bounded.h");
 
 /// One space of names holds all evaluators, in C++ also what a structure has and the types of its fields.
 pub(super) const TAKEN: Taken = Taken {
@@ -47,6 +47,7 @@ pub(super) const COMMENTS: Comments = Comments {
     code: harmless,
     heading: |heading| format!("{heading}:"),
     constants: "which the compiler does once",
+    shows_fields: false,
 };
 
 /// Neither begins nor ends a comment, is no trigraph and continues no line.

@@ -20,6 +20,9 @@ pub struct Comments {
     pub heading: fn(&str) -> String,
     /// What becomes of operations on constants alone.
     pub constants: &'static str,
+    /// Whether a reader of a function finds its inputs and outputs beside it, as the fields of its
+    /// structures, and need not be told twice.
+    pub shows_fields: bool,
 }
 
 impl Comments {
@@ -132,13 +135,17 @@ pub fn function(evaluator: &Evaluator, parts: &Parts<'_>, comments: &Comments) -
     let formula = evaluator.formula.iter().map(|line| comments.code(line));
     paragraph(Some("Formula"), listed(formula));
     let item = |name: &str, what: &Quantity| format!("`{name}`: {}.", quantity(what, comments));
+    let listed_here = |items: Vec<String>| match comments.shows_fields {
+        true => Vec::new(),
+        false => listed(items.into_iter()),
+    };
     let inputs = parts.inputs.iter();
     let inputs = inputs.map(|(name, input)| item(name, &input.quantity));
-    paragraph(Some("Inputs"), listed(inputs));
+    paragraph(Some("Inputs"), listed_here(inputs.collect()));
     paragraph(Some("Fixed"), fixed(parts, comments));
     let outputs = parts.outputs.iter().zip(&evaluator.outputs);
     let outputs = outputs.map(|(name, what)| item(name, what));
-    paragraph(Some("Outputs"), listed(outputs));
+    paragraph(Some("Outputs"), listed_here(outputs.collect()));
     paragraph(Some("Conditions"), conditions(evaluator, comments));
     let cost = cost(evaluator, comments);
     paragraph(Some("Cost"), wrapped(&cost, "", ""));

@@ -41,6 +41,7 @@ pub(super) const COMMENTS: Comments = Comments {
     code: harmless,
     heading: |heading| format!("{heading}:"),
     constants: "which are done once a call",
+    shows_fields: false,
 };
 
 /// Does not end a text, and escapes nothing.

@@ -17,39 +17,25 @@ const MODULE: &str = include_str!("../../templates/rust/module.rs.tera");
 const LIBRARY: &str = include_str!("../../templates/rust/lib.rs.tera");
 
 /// What every evaluator builds on.
-const SUPPORT: [(&str, &str); 4] = [
-    (
-        "arithmetic",
-        include_str!("../../templates/rust/arithmetic.rs"),
-    ),
-    ("bounded", include_str!("../../templates/rust/bounded.rs")),
-    ("dispatch", include_str!("../../templates/rust/dispatch.rs")),
-    ("lanes", include_str!("../../templates/rust/lanes.rs")),
+const SUPPORT: [(&str, &str); 9] = [
+    ("arithmetic", include_str!("../../support/arithmetic.rs")),
+    ("batch", include_str!("../../support/batch.rs")),
+    ("bounded", include_str!("../../support/bounded.rs")),
+    ("comparison", include_str!("../../support/comparison.rs")),
+    ("dispatch", include_str!("../../support/dispatch.rs")),
+    ("lanes", include_str!("../../support/lanes.rs")),
+    ("octet", include_str!("../../support/octet.rs")),
+    ("pair", include_str!("../../support/pair.rs")),
+    ("quartet", include_str!("../../support/quartet.rs")),
 ];
 
 /// The iteration that finds exact modes: it builds on the evaluators [`ITERATED`], and is written beside them.
-const EXACT_MODES: [(&str, &str); 6] = [
-    (
-        "comparison",
-        include_str!("../../templates/rust/comparison.rs"),
-    ),
-    ("complex", include_str!("../../templates/rust/complex.rs")),
-    (
-        "exact_modes",
-        include_str!("../../templates/rust/exact_modes.rs"),
-    ),
-    (
-        "exact_modes_batch",
-        include_str!("../../templates/rust/exact_modes_batch.rs"),
-    ),
-    (
-        "reference",
-        include_str!("../../templates/rust/reference.rs"),
-    ),
-    (
-        "starting_values",
-        include_str!("../../templates/rust/starting_values.rs"),
-    ),
+const EXACT_MODES: [(&str, &str); 5] = [
+    ("complex", include_str!("../../support/complex.rs")),
+    ("exact_modes", include_str!("../../support/exact_modes.rs")),
+    ("exact_modes_batch", include_str!("../../support/exact_modes_batch.rs")),
+    ("reference", include_str!("../../support/reference.rs")),
+    ("starting_values", include_str!("../../support/starting_values.rs")),
 ];
 
 /// What [`EXACT_MODES`] iterates, with nothing fixed.
@@ -68,19 +54,25 @@ const KEYWORDS: [&str; 53] = [
     "union", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
-/// Modules that an evaluator must not be: those of [`SUPPORT`] and [`EXACT_MODES`], and roots of crates.
-const MODULES: [&str; 15] = {
-    let mut modules = [
-        "alloc", "core", "lib", "main", "std", "", "", "", "", "", "", "", "", "", "",
-    ];
+/// Roots of crates, and crates that every other one sees.
+const ROOTS: [&str; 5] = ["alloc", "core", "lib", "main", "std"];
+
+/// Modules that an evaluator must not be: those of [`SUPPORT`] and [`EXACT_MODES`], and [`ROOTS`].
+const MODULES: [&str; ROOTS.len() + SUPPORT.len() + EXACT_MODES.len()] = {
+    let mut modules = [""; ROOTS.len() + SUPPORT.len() + EXACT_MODES.len()];
     let mut place = 0;
+    while place < ROOTS.len() {
+        modules[place] = ROOTS[place];
+        place += 1;
+    }
+    place = 0;
     while place < SUPPORT.len() {
-        modules[5 + place] = SUPPORT[place].0;
+        modules[ROOTS.len() + place] = SUPPORT[place].0;
         place += 1;
     }
     place = 0;
     while place < EXACT_MODES.len() {
-        modules[5 + SUPPORT.len() + place] = EXACT_MODES[place].0;
+        modules[ROOTS.len() + SUPPORT.len() + place] = EXACT_MODES[place].0;
         place += 1;
     }
     modules
@@ -104,6 +96,7 @@ pub(super) const COMMENTS: Comments = Comments {
     code: str::to_owned,
     heading: |heading| format!("# {heading}"),
     constants: "which the compiler does once",
+    shows_fields: true,
 };
 
 /// Nothing becomes a link, a tag or emphasis.
@@ -204,7 +197,8 @@ struct Module {
 struct Library {
     commands: Vec<String>,
     list: Vec<String>,
-    support: Vec<&'static str>,
+    /// The declarations of what evaluators build on.
+    support: Vec<String>,
     modules: Vec<String>,
 }
 
@@ -246,7 +240,7 @@ pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
     let library = Library {
         commands: commands(evaluators),
         list,
-        support: support.iter().map(|(name, _)| *name).collect(),
+        support: support.iter().map(declaration).collect(),
         modules,
     };
     files.push(File {
@@ -258,6 +252,13 @@ pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
         text: (*text).to_owned(),
     }));
     Ok(files)
+}
+
+/// `pub mod lanes`, or without `pub` where there is nothing that is public.
+fn declaration((name, text): &(&str, &str)) -> String {
+    let is_public = text.lines().any(|line| line.starts_with("pub "));
+    let visibility = if is_public { "pub " } else { "" };
+    format!("{visibility}mod {name}")
 }
 
 /// Whether all evaluators are there that the iteration builds on, each as a function of all of its inputs.
@@ -310,15 +311,29 @@ fn module(evaluator: &Evaluator, named: &Named) -> Result<String, Error> {
         &Module {
             header: super::spaced(super::header(evaluator, &COMMENTS)),
             function: named.function.clone(),
-            camel,
             inputs,
             outputs,
             body,
-            angles: door.map(|door| door.fields).unwrap_or_default(),
+            angles: door.map(|door| asked(&camel, door)).unwrap_or_default(),
             at_angles,
             documentation: super::spaced(documentation),
+            camel,
         },
     )
+}
+
+/// What is asked for where angles are; what is an input itself is described there.
+fn asked(camel: &str, door: Door<'_>) -> Vec<Field> {
+    let is_angle = |name: &String| door.angles.iter().any(|(angle, _)| angle == name);
+    let given = vec![format!("As in [`{camel}Inputs`].")];
+    let field = |field: Field| match is_angle(&field.name) {
+        true => field,
+        false => Field {
+            documentation: given.clone(),
+            ..field
+        },
+    };
+    door.fields.into_iter().map(field).collect()
 }
 
 /// The body of the function that takes angles.

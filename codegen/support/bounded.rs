@@ -112,10 +112,13 @@ fn rounding_with_underflow(result: f64) -> f64 {
     }
 }
 
+// Functions of their own: within a long body their branches would cost a compiler much more than they save
+// at run time.
+
 impl Add for Bounded {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn add(self, other: Self) -> Self {
         let value = self.value + other.value;
         // A sum with 0 is exact, and so is a subnormal one.
@@ -137,7 +140,7 @@ impl Sub for Bounded {
 impl Mul for Bounded {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn mul(self, other: Self) -> Self {
         // (a + δ)(b + ε) − ab = aε + bδ + δε
         let value = self.value * other.value;
@@ -158,7 +161,7 @@ impl Mul for Bounded {
 impl Div for Bounded {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn div(self, other: Self) -> Self {
         // (a + δ)/(b + ε) − a/b = (δ − (a/b)ε)/(b + ε)
         let value = self.value / other.value;
@@ -246,7 +249,7 @@ impl Arithmetic for Bounded {
         self * factor + addend
     }
 
-    #[inline]
+    #[inline(never)]
     fn square_root(self) -> Self {
         let value = square_root(self.value);
         if self.error > self.value {
