@@ -8,7 +8,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - SHA-256 of the document:
-//!   `4199c4c707c2c1afa059d2de23002ea3a2723ba228812f86be7e6266007e4626`
+//!   `7ef3ec98fc69f7f4d0fac16b1b9659c73957e3fb0d3f5b100767616e4ccfd0f4`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -272,7 +272,7 @@ pub(super) fn aerodynamic_damping_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
 /// - SHA-256 of the document:
-///   `4199c4c707c2c1afa059d2de23002ea3a2723ba228812f86be7e6266007e4626`
+///   `7ef3ec98fc69f7f4d0fac16b1b9659c73957e3fb0d3f5b100767616e4ccfd0f4`
 #[must_use]
 pub fn aerodynamic_damping(inputs: &AerodynamicDampingInputs<f64>) -> AerodynamicDampingOutputs<f64> {
     aerodynamic_damping_body(inputs)

@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/uniform.md`
 //! - SHA-256 of the document:
-//!   `f55b239e6af0588b48224aef20a513c855dabe6f161f9a699f1225e599fb3359`
+//!   `aafba5608e4dd51f3374cad1b753468aa1a269ee06e5f2981519032f83f74413`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -417,7 +417,7 @@ pub(super) fn modal_damping_in_wind_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/uniform.md`
 /// - SHA-256 of the document:
-///   `f55b239e6af0588b48224aef20a513c855dabe6f161f9a699f1225e599fb3359`
+///   `aafba5608e4dd51f3374cad1b753468aa1a269ee06e5f2981519032f83f74413`
 #[must_use]
 pub fn modal_damping_in_wind(inputs: &ModalDampingInWindInputs<f64>) -> ModalDampingInWindOutputs<f64> {
     modal_damping_in_wind_body(inputs)

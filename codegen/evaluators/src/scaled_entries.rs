@@ -8,7 +8,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/exact-modes.md`
 //! - SHA-256 of the document:
-//!   `477dffd4f82760c274236c07d8a9ae67cb5b1d70c1567c933fbb8fe89924a785`
+//!   `d918a58b832b355902cad25f6648638f649380f86139a0aa37f1e11d845bca80`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -334,7 +334,7 @@ pub(super) fn scaled_entries_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/exact-modes.md`
 /// - SHA-256 of the document:
-///   `477dffd4f82760c274236c07d8a9ae67cb5b1d70c1567c933fbb8fe89924a785`
+///   `d918a58b832b355902cad25f6648638f649380f86139a0aa37f1e11d845bca80`
 #[must_use]
 pub fn scaled_entries(inputs: &ScaledEntriesInputs<f64>) -> ScaledEntriesOutputs<f64> {
     scaled_entries_body(inputs)
