@@ -2,7 +2,7 @@
 
 use std::convert::Infallible;
 
-use dashu_base::{BitTest, DivEuclid, RemEuclid};
+use dashu_base::{BitTest, DivEuclid, RemEuclid, SquareRoot, UnsignedAbs};
 
 use super::arithmetic::Arithmetic;
 use super::number::{Integer, Rational};
@@ -209,6 +209,65 @@ impl Intervals {
         sums.map(|sum| around(&sum, &error))
     }
 
+    /// a/b; `None` if b may be 0.
+    ///
+    /// ```
+    /// use sextic::algebra::interval::Intervals;
+    /// use sextic::algebra::number::Rational;
+    ///
+    /// let intervals = Intervals::new(64);
+    /// let [one, three] = [1, 3].map(|own| intervals.rational(&Rational::from(own)));
+    /// let third = intervals.quotient(&one, &three).unwrap();
+    /// let [low, high] = intervals.bounds(&third);
+    /// assert!(low < Rational::from(1) / Rational::from(3) && Rational::from(1) / Rational::from(3) < high);
+    /// assert!(intervals.quotient(&one, &intervals.rational(&Rational::ZERO)).is_none());
+    /// ```
+    pub fn quotient(&self, a: &Interval, b: &Interval) -> Option<Interval> {
+        let (a, b) = match b.sign() {
+            KnownSign::Positive => (a.clone(), b.clone()),
+            KnownSign::Negative => (self.negative(a), self.negative(b)),
+            KnownSign::Zero | KnownSign::Unknown => return None,
+        };
+        // The least quotient of a number above 0 has the largest divisor, that of one below 0 the least.
+        let least = if a.low < Integer::ZERO {
+            &b.low
+        } else {
+            &b.high
+        };
+        let largest = if a.high < Integer::ZERO {
+            &b.high
+        } else {
+            &b.low
+        };
+        Some(Interval {
+            low: (&a.low << self.bits).div_euclid(least),
+            high: -(-(&a.high << self.bits)).div_euclid(largest),
+        })
+    }
+
+    /// √a; `None` if a may be below 0.
+    ///
+    /// ```
+    /// use sextic::algebra::interval::Intervals;
+    /// use sextic::algebra::number::Rational;
+    ///
+    /// let intervals = Intervals::new(64);
+    /// let root = intervals.square_root(&intervals.rational(&Rational::from(2))).unwrap();
+    /// let [low, high] = intervals.bounds(&root);
+    /// assert!(&low * &low <= Rational::from(2) && Rational::from(2) <= &high * &high);
+    /// assert!(intervals.square_root(&intervals.rational(&Rational::from(-2))).is_none());
+    /// ```
+    pub fn square_root(&self, a: &Interval) -> Option<Interval> {
+        if a.low < Integer::ZERO {
+            return None;
+        }
+        let root = |own: &Integer| Integer::from((own << self.bits).unsigned_abs().sqrt());
+        let (low, high) = (root(&a.low), root(&a.high));
+        let is_exact = &high * &high == &a.high << self.bits;
+        let high = if is_exact { high } else { high + Integer::ONE };
+        Some(Interval { low, high })
+    }
+
     /// An interval of finer arithmetic, rounded outwards.
     fn rounded(&self, own: &Interval, finer: &Intervals) -> Interval {
         let digits = finer.bits - self.bits;
@@ -316,6 +375,32 @@ mod tests {
             prop_assert_eq!(intervals.is_zero(&x), a.is_zero());
             let half = rational(1, 2) * (&a + &b);
             prop_assert!(holds(&intervals, &x.middle(&y), &half));
+        }
+
+        #[test]
+        fn quotients_and_roots_are_enclosed(a in number(), b in number(), width in 0_i64..50, bits in 8_usize..200) {
+            let intervals = Intervals::new(bits);
+            let wide = intervals.rational(&b).hull(&intervals.rational(&(&b + rational(width, 10))));
+            let dividend = intervals.rational(&a).hull(&intervals.rational(&(&a - rational(width, 7))));
+            match intervals.quotient(&dividend, &wide) {
+                Some(own) => {
+                    let ends = [&b, &(&b + rational(width, 10))].map(|below| [&a / below, (&a - rational(width, 7)) / below]);
+                    for end in ends.as_flattened() {
+                        prop_assert!(holds(&intervals, &own, end));
+                    }
+                    let [low, high] = intervals.bounds(&own);
+                    let least = ends.as_flattened().iter().min().unwrap();
+                    prop_assert!(width > 0 || least - low < rational(1, 100) * (rational(1, 1) + &a * &a) && high >= *least || bits < 60);
+                }
+                None => prop_assert!(wide.sign() == KnownSign::Unknown || b.is_zero()),
+            }
+            match intervals.square_root(&dividend) {
+                Some(own) => {
+                    let [low, high] = intervals.bounds(&own);
+                    prop_assert!(&low * &low <= &a - rational(width, 7) && a <= &high * &high);
+                }
+                None => prop_assert!(&a - rational(width, 7) < rational(1, 1)),
+            }
         }
 
         #[test]

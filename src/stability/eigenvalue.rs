@@ -14,7 +14,7 @@ pub struct Eigenvalue {
     pub error: f64,
 }
 
-/// The 2n eigenvalues of a section with n free coordinates.
+/// The 2n eigenvalues of a section, or of a derived system, with n free coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectrum {
     /// All of them, complex ones beside their conjugates: first those with a positive imaginary part,
@@ -23,6 +23,21 @@ pub struct Spectrum {
 }
 
 impl Spectrum {
+    /// Eigenvalues in their order.
+    pub(super) fn new(mut eigenvalues: Vec<Eigenvalue>) -> Self {
+        let rank = |own: &Eigenvalue| match own.value.im {
+            im if im > 0.0 => 0,
+            im if im < 0.0 => 1,
+            _ => 2,
+        };
+        eigenvalues.sort_by(|a, b| {
+            let frequency = b.value.im.abs().total_cmp(&a.value.im.abs());
+            let real_part = b.value.re.total_cmp(&a.value.re);
+            rank(a).cmp(&rank(b)).then(frequency).then(real_part)
+        });
+        Spectrum { eigenvalues }
+    }
+
     /// The largest real part and a bound of its error, in 1/s.
     pub fn largest_real_part(&self) -> (f64, f64) {
         let values = self.eigenvalues.iter();
@@ -90,22 +105,12 @@ pub(super) fn best_spectrum(
             break;
         }
     }
-    let (_, mut eigenvalues) = best
+    let (_, eigenvalues) = best
         .filter(|(worst, _)| worst.is_finite())
         .ok_or(StabilityError::NoEigenvalues)?;
-    let rank = |own: &Eigenvalue| match own.value.im {
-        im if im > 0.0 => 0,
-        im if im < 0.0 => 1,
-        _ => 2,
-    };
-    eigenvalues.sort_by(|a, b| {
-        let frequency = b.value.im.abs().total_cmp(&a.value.im.abs());
-        let real_part = b.value.re.total_cmp(&a.value.re);
-        rank(a).cmp(&rank(b)).then(frequency).then(real_part)
-    });
-    Ok(Spectrum { eigenvalues })
+    Ok(Spectrum::new(eigenvalues))
 }
 
 /// An error, relative to the unit of frequency, that needs no second attempt: it leaves ten digits, and the
 /// rounding of the coefficients alone costs the companion matrix as much.
-const GOOD: f64 = 1e-11;
+pub(super) const GOOD: f64 = 1e-11;

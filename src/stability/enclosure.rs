@@ -24,14 +24,14 @@ struct Group {
 /// known to be apart becomes one group. `None` if the coefficients are not finite.
 ///
 /// N values cost at most N² expansions, and N if they are well apart.
-pub(super) fn error_bounds(
+pub(super) fn error_bounds<T: AsRef<[Ball]>>(
     values: &[Complex<f64>],
-    taylor: impl Fn(Complex<f64>) -> [Ball; 7],
+    taylor: impl Fn(Complex<f64>) -> T,
 ) -> Option<Vec<f64>> {
     let group = |members: Vec<usize>| {
         let sum: Complex<f64> = members.iter().map(|&index| values[index]).sum();
         let centre = sum / members.len() as f64;
-        let radius = pellet_radius(&taylor(centre), members.len());
+        let radius = pellet_radius(taylor(centre).as_ref(), members.len());
         Group {
             members,
             centre,
@@ -87,14 +87,14 @@ fn not_apart(groups: &[Group]) -> Option<(usize, usize)> {
 
 /// A radius R about the point of expansion within which there are exactly `count` roots; nearly
 /// the smallest that Pellet's theorem gives.
-fn pellet_radius(taylor: &[Ball; 7], count: usize) -> Option<f64> {
-    let largest = taylor.map(Ball::largest);
+fn pellet_radius(taylor: &[Ball], count: usize) -> Option<f64> {
+    let largest: Vec<f64> = taylor.iter().map(|own| own.largest()).collect();
     let dominant = taylor.get(count)?.smallest();
     if dominant <= 0.0 || !largest.iter().all(|size| size.is_finite()) {
         return None;
     }
     // Σ |q_j| R^j − |q_k| R^k < 0 by Horner's rule, with a margin far above its rounding.
-    let mut terms = largest;
+    let mut terms = largest.clone();
     terms[count] = -dominant * (1.0 - 1e-12);
     let holds = |radius: f64| terms.iter().rev().fold(0.0, |sum, own| sum * radius + own) < 0.0;
     // No smaller radius can do: each lower term alone is as large.

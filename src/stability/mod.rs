@@ -21,6 +21,7 @@ pub mod exact_modes;
 pub mod exact_section;
 pub mod forces;
 pub mod grid;
+mod half_plane;
 mod hurwitz;
 pub mod input;
 pub mod interpolation;

@@ -1,5 +1,27 @@
 //! A derived system in numbers: M q̈ + C q̇ + K q = 0, whose matrices are a program of its parameters.
 
+mod arithmetic;
+mod block;
+pub mod critical;
+mod disc;
+mod entries;
+pub mod error;
+mod gaussian;
+mod hessenberg;
+pub mod instance;
+mod jet;
+#[cfg(test)]
+mod laws;
+mod linear_equations;
+mod moving;
+mod parameter;
+mod pencil;
+mod polynomial;
+mod real;
+mod state;
+pub mod sweep;
+mod vector;
+
 use sextic_codegen::evaluator::Evaluator;
 
 /// A system of equations of motion M q̈ + C q̇ + K q = 0 with n coordinates q, as a document derives it.
