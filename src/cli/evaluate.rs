@@ -3,9 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use clap::Args;
+use sextic_codegen::arithmetic::doubles;
 use sextic_codegen::evaluator::{Circular, Function, Input, Origin};
 use sextic_codegen::language::literal::Decimal;
-use sextic_codegen::rounding;
 
 use crate::compile::fixed::Fixed;
 use crate::compile::generation::{Failure, document_of, specifications};
@@ -148,7 +148,7 @@ fn evaluate(name: &str, set: &[Fixed], audit: &mut Audit) -> Result<Evaluation, 
         .iter()
         .map(|input| value(input, &values))
         .collect();
-    let found = inputs.and_then(|inputs| rounding::evaluate(&evaluator.program, &inputs));
+    let found = inputs.and_then(|inputs| doubles::evaluate(&evaluator.program, &inputs));
     let found = found.unwrap_or_default();
     let outputs = evaluator.outputs.iter().cloned().zip(found);
     let outputs: Vec<_> = outputs.collect();
