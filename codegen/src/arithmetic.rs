@@ -1,5 +1,9 @@
 //! What a program is run in.
 
+pub mod doubles;
+pub mod pairs;
+pub mod rationals;
+
 use crate::program::{Node, Operation, Program, Rational};
 
 /// Numbers, or whatever else operations have a meaning for: doubles, enclosures, exact numbers, residues,
@@ -105,12 +109,63 @@ impl Program {
         arithmetic: &mut A,
         inputs: &[A::Value],
     ) -> Result<Vec<A::Value>, A::Error> {
-        let mut values: Vec<A::Value> = Vec::with_capacity(self.operations().len());
-        for operation in self.operations() {
+        self.prepare(arithmetic)?.run(arithmetic, inputs)
+    }
+
+    /// The program with its constants as values, to be run at many points.
+    ///
+    /// # Errors
+    ///
+    /// The first error of a constant.
+    pub fn prepare<A: Arithmetic>(
+        &self,
+        arithmetic: &mut A,
+    ) -> Result<Prepared<'_, A::Value>, A::Error> {
+        let constants = self.operations().iter().filter_map(|operation| {
+            let Operation::Constant(value) = operation else {
+                return None;
+            };
+            Some(arithmetic.constant(value))
+        });
+        Ok(Prepared {
+            constants: constants.collect::<Result<_, _>>()?,
+            program: self,
+        })
+    }
+}
+
+/// A program whose constants are values of an arithmetic: a number is converted once, and not at each
+/// point.
+#[derive(Clone, Debug)]
+pub struct Prepared<'p, V> {
+    program: &'p Program,
+    /// In the order of the operations.
+    constants: Vec<V>,
+}
+
+impl<V: Clone> Prepared<'_, V> {
+    /// The values of the outputs, as [`Program::run`] gives them in the same arithmetic.
+    ///
+    /// # Errors
+    ///
+    /// The first error of an operation.
+    ///
+    /// # Panics
+    ///
+    /// If there are fewer values than inputs.
+    pub fn run<A: Arithmetic<Value = V>>(
+        &self,
+        arithmetic: &mut A,
+        inputs: &[V],
+    ) -> Result<Vec<V>, A::Error> {
+        let operations = self.program.operations();
+        let mut values: Vec<V> = Vec::with_capacity(operations.len());
+        let mut constants = self.constants.iter();
+        for operation in operations {
             let of = |node: &Node| &values[node.index()];
             let value = match operation {
                 Operation::Input(place) => inputs[*place as usize].clone(),
-                Operation::Constant(number) => arithmetic.constant(number)?,
+                Operation::Constant(_) => constants.next().expect("prepared").clone(),
                 Operation::Negative(a) => arithmetic.negative(of(a))?,
                 Operation::Add(a, b) => arithmetic.sum(of(a), of(b))?,
                 Operation::Subtract(a, b) => arithmetic.difference(of(a), of(b))?,
@@ -120,7 +175,7 @@ impl Program {
             };
             values.push(value);
         }
-        let outputs = self.outputs().iter();
+        let outputs = self.program.outputs().iter();
         Ok(outputs
             .map(|(_, node)| values[node.index()].clone())
             .collect())

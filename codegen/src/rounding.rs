@@ -4,21 +4,20 @@
 //! and in exact arithmetic, at points drawn from a domain.
 
 mod domain;
-mod double_double;
-mod evaluation;
 mod unit;
 
 use std::fmt;
 use std::ops::Range;
 
+use crate::arithmetic::Prepared;
+use crate::arithmetic::doubles::Doubles;
+use crate::arithmetic::pairs::{Close, Pairs};
+use crate::arithmetic::rationals::evaluate_closely;
 use crate::evaluator::{Evaluator, Rounding};
 use crate::optimiser::prune::prune;
 use crate::program::{Node, Operation, Program, Rational};
 use domain::Sampler;
 pub use domain::{Domain, Interval};
-use double_double::Pairs;
-use evaluation::Doubles;
-pub use evaluation::{evaluate, evaluate_at, evaluate_closely, evaluate_exactly};
 pub use unit::units;
 
 /// Why there is no measure.
@@ -67,11 +66,14 @@ pub fn measure(
     points: usize,
     seed: u64,
 ) -> Result<Rounding, Unmeasured> {
+    let program = &evaluator.program;
     let measurement = Measurement {
         sampler: Sampler::new(evaluator, domain).ok_or(Unmeasured::Domain)?,
-        doubles: Doubles::new(&evaluator.program).ok_or(Unmeasured::Constant)?,
-        pairs: Pairs::new(&evaluator.program),
-        alone: alone(&evaluator.program),
+        doubles: program
+            .prepare(&mut Doubles)
+            .map_err(|_| Unmeasured::Constant)?,
+        pairs: program.prepare(&mut Pairs).ok(),
+        alone: alone(program),
         seed,
     };
     // Without inputs all points are one.
@@ -100,8 +102,9 @@ pub fn measure(
 /// All that a thread needs.
 struct Measurement<'a> {
     sampler: Sampler,
-    doubles: Doubles<'a>,
-    pairs: Pairs<'a>,
+    doubles: Prepared<'a, f64>,
+    /// None if a constant is out of their range.
+    pairs: Option<Prepared<'a, Close>>,
     /// The program of each output, for the points where pairs do not tell.
     alone: Vec<Program>,
     seed: u64,
@@ -134,8 +137,9 @@ impl Measurement<'_> {
         let mut errors = vec![Vec::new(); outputs];
         for number in points {
             let point = self.sampler.point(self.seed, number as u64);
-            let found = self.doubles.outputs(&self.doubles.values(&point));
-            let close = self.pairs.run(&point);
+            let found = self.doubles.run(&mut Doubles, &point);
+            let found = found.expect("only a constant is beyond the doubles");
+            let close = self.close(&point);
             for (place, found) in found.into_iter().enumerate() {
                 let close = close.as_ref().and_then(|close| close[place].units(found));
                 let error = close.or_else(|| exact_units(&self.alone[place], &point, found));
@@ -143,6 +147,12 @@ impl Measurement<'_> {
             }
         }
         errors
+    }
+
+    /// The outputs in pairs, where these tell all of them.
+    fn close(&self, point: &[f64]) -> Option<Vec<Close>> {
+        let inputs: Option<Vec<Close>> = point.iter().map(|value| Close::exact(*value)).collect();
+        self.pairs.as_ref()?.run(&mut Pairs, &inputs?).ok()
     }
 }
 

@@ -61,7 +61,8 @@ impl Batched for Batch {
         modes: &'a mut Modes<T>,
         mut make: impl FnMut(&'static str, &'a mut T) -> To,
     ) -> Modes<To> {
-        let mut all = |name, [a, b, c]: &'a mut [T; 3]| [make(name, a), make(name, b), make(name, c)];
+        let mut all =
+            |name, [a, b, c]: &'a mut [T; 3]| [make(name, a), make(name, b), make(name, c)];
         Modes {
             real: all("real", &mut modes.real),
             frequency: all("frequency", &mut modes.frequency),

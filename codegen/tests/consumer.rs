@@ -5,10 +5,11 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use sextic_codegen::arithmetic::doubles::evaluate;
+use sextic_codegen::arithmetic::rationals::evaluate_closely;
 use sextic_codegen::evaluator::Evaluator;
 use sextic_codegen::language::{Language, emit};
 use sextic_codegen::program::Rational;
-use sextic_codegen::rounding::{evaluate, evaluate_closely};
 
 use crate::samples;
 

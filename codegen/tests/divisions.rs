@@ -1,11 +1,12 @@
 //! How often a program divides.
 
+use sextic_codegen::arithmetic::doubles::evaluate;
+use sextic_codegen::arithmetic::rationals::evaluate_exactly;
 use sextic_codegen::cost::Cost;
 use sextic_codegen::horner::power;
 use sextic_codegen::optimiser::optimise;
 use sextic_codegen::optimiser::reciprocal::reciprocals;
 use sextic_codegen::program::{Node, Operation, Program};
-use sextic_codegen::rounding::{evaluate, evaluate_exactly};
 
 use Operation::{Add, Divide, Multiply, Subtract};
 

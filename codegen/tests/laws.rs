@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use proptest::prelude::*;
+use sextic_codegen::arithmetic::rationals::evaluate_exactly;
 use sextic_codegen::cost::Cost;
 use sextic_codegen::horner::horner;
 use sextic_codegen::optimiser::fold::fold;
@@ -13,7 +14,6 @@ use sextic_codegen::optimiser::reciprocal::reciprocals;
 use sextic_codegen::optimiser::share::share;
 use sextic_codegen::optimiser::specialise::specialise;
 use sextic_codegen::program::{Node, Operation, Program, Rational};
-use sextic_codegen::rounding::evaluate_exactly;
 
 use Operation::{Add, Divide, Multiply, Negative, SquareRoot, Subtract};
 

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use sextic_codegen::arithmetic::rationals::evaluate_exactly;
 use sextic_codegen::cost::Cost;
 use sextic_codegen::horner::{horner, power};
 use sextic_codegen::optimiser::fold::fold;
@@ -10,7 +11,6 @@ use sextic_codegen::optimiser::optimise;
 use sextic_codegen::optimiser::prune::prune;
 use sextic_codegen::optimiser::share::share;
 use sextic_codegen::program::{Node, Operation, Program};
-use sextic_codegen::rounding::evaluate_exactly;
 
 use Operation::{Add, Divide, Multiply, Negative, SquareRoot, Subtract};
 

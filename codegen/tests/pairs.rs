@@ -1,11 +1,11 @@
 //! The error at a point, whichever way it was found: by pairs of doubles or with rationals.
 
 use proptest::prelude::*;
+use sextic_codegen::arithmetic::doubles::evaluate;
+use sextic_codegen::arithmetic::rationals::evaluate_closely;
 use sextic_codegen::evaluator::Evaluator;
 use sextic_codegen::program::{Node, Operation, Program, Rational};
-use sextic_codegen::rounding::{
-    Domain, Interval, Unmeasured, evaluate, evaluate_closely, measure, units,
-};
+use sextic_codegen::rounding::{Domain, Interval, Unmeasured, measure, units};
 
 use crate::laws::drawn;
 use crate::samples::{self, rational};

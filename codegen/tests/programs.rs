@@ -1,7 +1,7 @@
 //! Programs and their inputs.
 
+use sextic_codegen::arithmetic::doubles::evaluate;
 use sextic_codegen::program::{Operation, Program};
-use sextic_codegen::rounding::evaluate;
 
 /// b − a·a, whose inputs c, b and a were met in this order, c for nothing.
 fn met_late() -> Program {

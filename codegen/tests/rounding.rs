@@ -1,10 +1,10 @@
 //! The measure of rounding errors, measured.
 
+use sextic_codegen::arithmetic::doubles::evaluate;
+use sextic_codegen::arithmetic::rationals::{evaluate_closely, evaluate_exactly};
 use sextic_codegen::evaluator::{Angle, Circular, Evaluator, Fixed, Function, Origin, Quantity};
 use sextic_codegen::program::{Operation, Program, Rational};
-use sextic_codegen::rounding::{
-    Domain, Interval, Unmeasured, evaluate, evaluate_closely, evaluate_exactly, measure, units,
-};
+use sextic_codegen::rounding::{Domain, Interval, Unmeasured, measure, units};
 
 use crate::samples::{self, rational};
 

@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use clap::Args;
+use sextic_codegen::arithmetic::doubles;
 use sextic_codegen::language::literal::Decimal;
-use sextic_codegen::rounding;
 
 use crate::compile::fixed::Fixed;
 use crate::compile::generation::{Failure, document_of, specifications};
@@ -143,7 +143,7 @@ fn evaluate(name: &str, set: &[Fixed], audit: &mut Audit) -> Result<Evaluation, 
         .admit(&numbers, audit)
         .map_err(|refusal| refused(name, &audit.path, &refusal, std::slice::from_ref(audit)))?;
     let evaluator = &specification.evaluator;
-    let found = rounding::evaluate_at(evaluator, &values).unwrap_or_default();
+    let found = doubles::evaluate_at(evaluator, &values).unwrap_or_default();
     let outputs = evaluator.outputs.iter().cloned().zip(found);
     let outputs: Vec<_> = outputs.collect();
     if let Some((output, _)) = outputs.iter().find(|(_, value)| !value.is_finite()) {

@@ -2,6 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use sextic_codegen::arithmetic::Arithmetic;
+use sextic_codegen::evaluator::Angle as EmittedAngle;
+
 use crate::algebra::angle::Angle;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::generator::Generator;
@@ -11,8 +14,8 @@ use crate::language::syntax::Name;
 
 use super::constant::Constant;
 use super::doubt::Reason;
-use super::reading::names::is_spelling;
-use super::reading::{Door, Source, Term};
+use super::reading::{Door, Source};
+use super::resolution::Resolution;
 use super::specification::Specification;
 
 /// How often each angle occurs in a sum, by name.
@@ -27,7 +30,7 @@ type Sum = BTreeMap<String, Rational>;
 ///
 /// [`Reason`], for the first input that is made of something else.
 pub fn check(door: &Door, specification: &Specification, ring: &Ring) -> Result<(), Reason> {
-    let known = angles(door, specification)?;
+    let found = sums(door, specification)?;
     let mut wanted: BTreeMap<&str, &Fraction> = BTreeMap::new();
     for (name, element) in &specification.inputs {
         wanted.insert(name, element);
@@ -39,9 +42,9 @@ pub fn check(door: &Door, specification: &Specification, ring: &Ring) -> Result<
         };
         let symbol = ring.as_symbol(element);
         let is_same = match (source, symbol.map(|symbol| ring.generator(symbol))) {
-            (Source::Cosine(term), Some(Generator::Cosine { angle }))
-            | (Source::Sine(term), Some(Generator::Sine { angle })) => {
-                Some(sum(term, &known)?) == sum_of(angle, ring)
+            (Source::Cosine(_), Some(Generator::Cosine { angle }))
+            | (Source::Sine(_), Some(Generator::Sine { angle })) => {
+                found.get(input) == sum_of(angle, ring).map(Part::Sum).as_ref()
             }
             (_, Some(Generator::Cosine { .. } | Generator::Sine { .. })) => false,
             (Source::Given(asked), _) => asked == input,
@@ -59,46 +62,37 @@ pub fn check(door: &Door, specification: &Specification, ring: &Ring) -> Result<
     }
 }
 
-/// The variables of the function: angles, those that are fixed among them.
-fn angles<'d>(
-    door: &'d Door,
-    specification: &Specification,
-) -> Result<BTreeMap<&'d str, Sum>, Reason> {
-    let mut known: BTreeMap<&str, Sum> = BTreeMap::new();
-    let mut assign = |variable: &'d str, angle: &str| {
-        let sum = Sum::from([(angle.to_string(), Rational::ONE)]);
-        match known.insert(variable, sum) {
-            None => Ok(()),
-            Some(_) => Err(Reason::Name(format!("`{variable}` is assigned twice"))),
+/// The sums of angles whose sines and cosines are taken, by the inputs that these become.
+fn sums(door: &Door, specification: &Specification) -> Result<BTreeMap<String, Part>, Reason> {
+    let angles = &specification.evaluator.angles;
+    let open = angles.iter().filter(|angle| angle.fixed.is_none());
+    let open = open.map(|angle| angle.quantity.name.as_str());
+    let fixed: Vec<Constant> = angles.iter().filter_map(constant).collect();
+    let mut resolution = Resolution::of(&door.angles, open, &fixed)?;
+    for (input, source) in &door.inputs {
+        if let Source::Cosine(term) | Source::Sine(term) = source {
+            resolution.output(input, term)?;
         }
-    };
-    for (angle, variable) in &door.angles.inputs {
-        assign(variable, angle)?;
     }
-    let all = &specification.evaluator.angles;
-    let is_angle = |name: &str| all.iter().any(|angle| angle.quantity.name == name);
-    for (variable, term) in &door.angles.assignments {
-        let named = all
-            .iter()
-            .find(|angle| is_spelling(variable, &angle.quantity.name, is_angle));
-        let fixed = named.and_then(|angle| Some((&angle.quantity.name, angle.fixed.as_ref()?)));
-        let literal = number(term);
-        let (Some((name, fixed)), Some(literal)) = (fixed, literal) else {
-            return Err(Reason::Name(format!("`{variable}` is no fixed angle")));
-        };
-        let constant = Constant {
-            name: name.clone(),
-            element: Fraction::constant(fixed.value.clone()),
-            lower: fixed.value.clone(),
-            upper: fixed.value.clone(),
-        };
-        if !constant.may_be(&literal) {
-            let reason = format!("`{name}` is not the number that it is fixed at");
-            return Err(Reason::Literal(reason));
-        }
-        assign(variable, name)?;
-    }
-    Ok(known)
+    let program = resolution.program;
+    let angles = program.inputs().iter();
+    let angles: Vec<Part> = angles
+        .map(|angle| Part::Sum(Sum::from([(angle.clone(), Rational::ONE)])))
+        .collect();
+    let sums = program.run(&mut Sums, &angles)?;
+    let inputs = program.outputs().iter().map(|(input, _)| input.clone());
+    Ok(inputs.zip(sums).collect())
+}
+
+/// An angle that is fixed.
+fn constant(angle: &EmittedAngle) -> Option<Constant> {
+    let value = &angle.fixed.as_ref()?.value;
+    Some(Constant {
+        name: angle.quantity.name.clone(),
+        element: Fraction::constant(value.clone()),
+        lower: value.clone(),
+        upper: value.clone(),
+    })
 }
 
 /// The sum that an angle of the ring is; none if it is not one of declared angles.
@@ -113,50 +107,83 @@ fn sum_of(angle: &Angle, ring: &Ring) -> Option<Sum> {
     Some(sum)
 }
 
-/// A number, if a term is one.
-fn number(term: &Term) -> Option<Rational> {
-    match term {
-        Term::Number(number) => Some(number.clone()),
-        Term::Negative(inner) => number(inner).map(|number| -number),
-        _ => None,
+/// A number, or a sum of angles.
+#[derive(Clone, Debug, PartialEq)]
+enum Part {
+    Number(Rational),
+    Sum(Sum),
+}
+
+/// Sums of angles, as far as doubles give them too: whole factors, and no angle that is added and taken
+/// away again. A large multiple that cancels takes all digits with it.
+struct Sums;
+
+impl Arithmetic for Sums {
+    type Value = Part;
+    type Error = Reason;
+
+    fn constant(&mut self, value: &Rational) -> Result<Part, Reason> {
+        Ok(Part::Number(value.clone()))
+    }
+
+    fn negative(&mut self, a: &Part) -> Result<Part, Reason> {
+        Ok(match a {
+            Part::Number(number) => Part::Number(-number.clone()),
+            Part::Sum(sum) => Part::Sum(scaled(&-Rational::ONE, sum)),
+        })
+    }
+
+    fn sum(&mut self, a: &Part, b: &Part) -> Result<Part, Reason> {
+        match (a, b) {
+            (Part::Sum(a), Part::Sum(b)) => together(a, b).map(Part::Sum),
+            _ => Err(no_sum()),
+        }
+    }
+
+    fn difference(&mut self, a: &Part, b: &Part) -> Result<Part, Reason> {
+        let b = self.negative(b)?;
+        self.sum(a, &b)
+    }
+
+    fn product(&mut self, a: &Part, b: &Part) -> Result<Part, Reason> {
+        match (a, b) {
+            (Part::Number(factor), Part::Sum(sum)) | (Part::Sum(sum), Part::Number(factor))
+                if factor.is_int() =>
+            {
+                Ok(Part::Sum(scaled(factor, sum)))
+            }
+            _ => Err(Reason::Interface("a product that is no angle".into())),
+        }
+    }
+
+    fn quotient(&mut self, _: &Part, _: &Part) -> Result<Part, Reason> {
+        Err(no_sum())
+    }
+
+    fn square_root(&mut self, _: &Part) -> Result<Part, Reason> {
+        Err(no_sum())
     }
 }
 
-/// The sum of angles that a term is, if doubles give it too: whole factors, and no angle that is added and
-/// taken away again. A large multiple that cancels takes all digits with it.
-fn sum(term: &Term, known: &BTreeMap<&str, Sum>) -> Result<Sum, Reason> {
-    let scaled = |factor: Rational, term: &Term| -> Result<Sum, Reason> {
-        let mut scaled = sum(term, known)?;
-        scaled
-            .values_mut()
-            .for_each(|count| *count *= factor.clone());
-        Ok(scaled)
-    };
-    let together = |mut left: Sum, right: Sum| {
-        for (angle, count) in right {
-            let known = left.entry(angle).or_default();
-            if known.clone() * count.clone() < Rational::ZERO {
-                return Err(Reason::Interface("an angle that cancels".into()));
-            }
-            *known += count;
+fn scaled(factor: &Rational, sum: &Sum) -> Sum {
+    let angles = sum.iter();
+    angles
+        .map(|(angle, count)| (angle.clone(), count * factor))
+        .collect()
+}
+
+fn together(a: &Sum, b: &Sum) -> Result<Sum, Reason> {
+    let mut sum = a.clone();
+    for (angle, count) in b {
+        let known = sum.entry(angle.clone()).or_default();
+        if &*known * count < Rational::ZERO {
+            return Err(Reason::Interface("an angle that cancels".into()));
         }
-        Ok(left)
-    };
-    match term {
-        Term::Name(name) => {
-            let angle = known.get(name.as_str()).cloned();
-            angle.ok_or_else(|| Reason::Name(format!("`{name}` is not assigned before")))
-        }
-        Term::Negative(a) => scaled(-Rational::ONE, a),
-        Term::Add(a, b) => together(sum(a, known)?, sum(b, known)?),
-        Term::Subtract(a, b) => together(sum(a, known)?, scaled(-Rational::ONE, b)?),
-        Term::Multiply(a, b) => match (number(a), number(b)) {
-            (Some(factor), None) if factor.is_int() => scaled(factor, b),
-            (None, Some(factor)) if factor.is_int() => scaled(factor, a),
-            _ => Err(Reason::Interface("a product that is no angle".into())),
-        },
-        Term::Number(_) | Term::Divide(..) | Term::SquareRoot(_) => Err(Reason::Interface(
-            "an expression that is no sum of angles".into(),
-        )),
+        *known += count;
     }
+    Ok(sum)
+}
+
+fn no_sum() -> Reason {
+    Reason::Interface("an expression that is no sum of angles".into())
 }

@@ -6,36 +6,29 @@
 
 use std::collections::BTreeMap;
 
-use sextic_codegen::program::{Operation, Program};
+use sextic_codegen::arithmetic::Arithmetic;
+use sextic_codegen::program::Program;
 
 use crate::algebra::number::{Integer, Rational};
 
-use super::constant::Constant;
 use super::double::nearest;
 use super::doubt::Reason;
-use super::execution::{Domain, execute};
-use super::reading::Reading;
 use super::specification::Specification;
 
-/// Compares a body with the program of the evaluator, operation by operation.
+/// Compares the program of a body with that of the evaluator, operation by operation.
 ///
 /// Complexity: n log n for n operations.
 ///
 /// # Errors
 ///
-/// [`Reason`], for the first output that is computed in another way, and whatever keeps the body from
-/// being executed.
-pub fn compare(reading: &Reading, specification: &Specification) -> Result<(), Reason> {
-    let program = &specification.evaluator.program;
-    let mut values = Values {
-        program,
-        known: BTreeMap::new(),
-    };
-    let wanted = values.of_program()?;
-    let found = execute(reading, specification, &mut values)?;
-    let names = specification.outputs.iter().map(|(name, _)| name);
-    for (name, found) in names.zip(&found) {
-        if wanted.get(name.as_str()) != Some(found) {
+/// [`Reason`], for the first output that is computed in another way, and a number that is beyond the
+/// doubles.
+pub fn compare(body: &Program, specification: &Specification) -> Result<(), Reason> {
+    let mut values = Values::default();
+    let wanted = values.outputs_of(&specification.evaluator.program)?;
+    let found = values.outputs_of(body)?;
+    for (name, _) in &specification.outputs {
+        if wanted.get(name.as_str()) != found.get(name.as_str()) {
             return Err(Reason::Operations(name.clone()));
         }
     }
@@ -65,7 +58,7 @@ enum Value {
 /// What is known by its number; the operands of sums and products in order.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Key {
-    Input(usize),
+    Input(String),
     Number(Number),
     Sum(Signed, Signed),
     Product(usize, usize),
@@ -73,34 +66,22 @@ enum Key {
     SquareRoot(Signed),
 }
 
-struct Values<'p> {
-    program: &'p Program,
+/// All values that are known, of whichever program.
+#[derive(Default)]
+struct Values {
     known: BTreeMap<Key, usize>,
 }
 
-impl<'p> Values<'p> {
-    /// The outputs of the program by name.
-    fn of_program(&mut self) -> Result<BTreeMap<&'p str, Value>, Reason> {
-        let program = self.program;
-        let mut values: Vec<Value> = Vec::with_capacity(program.operations().len());
-        for operation in program.operations() {
-            let operand = |node: &sextic_codegen::program::Node| values[node.index()].clone();
-            let value = match operation {
-                Operation::Input(place) => self.known_as(Key::Input(*place as usize)),
-                Operation::Constant(value) => Value::Number(constant(value)?),
-                Operation::Add(a, b) => self.sum(operand(a), operand(b))?,
-                Operation::Subtract(a, b) => self.difference(operand(a), operand(b))?,
-                Operation::Multiply(a, b) => self.product(operand(a), operand(b))?,
-                Operation::Divide(a, b) => self.quotient(operand(a), operand(b))?,
-                Operation::Negative(a) => self.negative(operand(a))?,
-                Operation::SquareRoot(a) => self.square_root(operand(a))?,
-            };
-            values.push(value);
-        }
-        let outputs = program.outputs().iter();
-        Ok(outputs
-            .map(|(name, node)| (name.as_str(), values[node.index()].clone()))
-            .collect())
+impl Values {
+    /// The outputs of a program by name; inputs of one name are one value.
+    fn outputs_of<'p>(&mut self, program: &'p Program) -> Result<BTreeMap<&'p str, Value>, Reason> {
+        let inputs = program.inputs().iter();
+        let inputs: Vec<Value> = inputs
+            .map(|name| self.known_as(Key::Input(name.clone())))
+            .collect();
+        let outputs = program.run(self, &inputs)?;
+        let names = program.outputs().iter().map(|(name, _)| name.as_str());
+        Ok(names.zip(outputs).collect())
     }
 
     fn known_as(&mut self, key: Key) -> Value {
@@ -113,13 +94,13 @@ impl<'p> Values<'p> {
     }
 
     /// A value by its number; the sign of a number is kept apart as that of any value.
-    fn signed(&mut self, value: Value) -> Signed {
+    fn signed(&mut self, value: &Value) -> Signed {
         let (key, is_negative) = match value {
-            Value::Computed(signed) => return signed,
+            Value::Computed(signed) => return *signed,
             Value::Number(number) if number.exact < Rational::ZERO => {
                 (Key::Number(number.negative()), true)
             }
-            Value::Number(number) => (Key::Number(number), false),
+            Value::Number(number) => (Key::Number(number.clone()), false),
         };
         let place = self.known.len();
         let place = *self.known.entry(key).or_insert(place);
@@ -137,55 +118,53 @@ impl<'p> Values<'p> {
     }
 }
 
-impl Domain for Values<'_> {
+impl Arithmetic for Values {
     type Value = Value;
+    type Error = Reason;
 
-    fn input(&mut self, name: &str) -> Option<Value> {
-        let node = self.program.input(name)?;
-        Some(self.known_as(Key::Input(node.index())))
-    }
-
-    /// What is fixed in the text alone is an input of the program.
-    fn constant(&mut self, constant: &Constant, literal: &Rational) -> Value {
-        let input = self.input(&constant.name);
-        input.unwrap_or_else(|| self.number(literal))
-    }
-
-    fn number(&mut self, value: &Rational) -> Value {
-        // A literal beyond the doubles is refused before it comes here.
-        let double = nearest(value).unwrap_or(Rational::ZERO);
-        Value::Number(Number {
-            exact: value.clone(),
+    /// The double itself, or the quotient of the doubles nearest to its two parts in lowest terms.
+    fn constant(&mut self, exact: &Rational) -> Result<Value, Reason> {
+        let rounded = |part: Rational| nearest(&part).ok_or_else(|| beyond(exact));
+        let double = match nearest(exact) {
+            Some(double) if double == *exact => double,
+            _ => {
+                let above = rounded(Rational::from(exact.numerator().clone()))?;
+                let below = Integer::from(exact.denominator().clone());
+                rounded(above / rounded(Rational::from(below))?)?
+            }
+        };
+        Ok(Value::Number(Number {
+            exact: exact.clone(),
             double,
-        })
+        }))
     }
 
-    fn negative(&mut self, a: Value) -> Result<Value, Reason> {
+    fn negative(&mut self, a: &Value) -> Result<Value, Reason> {
         Ok(match a {
             // −0 is another double than 0.
             Value::Number(number) if number.exact == Rational::ZERO => {
-                Value::Computed(self.signed(Value::Number(number)).negative())
+                Value::Computed(self.signed(a).negative())
             }
             Value::Number(number) => Value::Number(number.negative()),
             Value::Computed(value) => Value::Computed(value.negative()),
         })
     }
 
-    fn sum(&mut self, a: Value, b: Value) -> Result<Value, Reason> {
-        if let (Value::Number(a), Value::Number(b)) = (&a, &b) {
+    fn sum(&mut self, a: &Value, b: &Value) -> Result<Value, Reason> {
+        if let (Value::Number(a), Value::Number(b)) = (a, b) {
             return Number::computed(&a.exact + &b.exact, &a.double + &b.double);
         }
         let (a, b) = (self.signed(a), self.signed(b));
         Ok(self.known_as(Key::Sum(a.min(b), a.max(b))))
     }
 
-    fn difference(&mut self, a: Value, b: Value) -> Result<Value, Reason> {
+    fn difference(&mut self, a: &Value, b: &Value) -> Result<Value, Reason> {
         let b = self.negative(b)?;
-        self.sum(a, b)
+        self.sum(a, &b)
     }
 
-    fn product(&mut self, a: Value, b: Value) -> Result<Value, Reason> {
-        if let (Value::Number(a), Value::Number(b)) = (&a, &b) {
+    fn product(&mut self, a: &Value, b: &Value) -> Result<Value, Reason> {
+        if let (Value::Number(a), Value::Number(b)) = (a, b) {
             return Number::computed(&a.exact * &b.exact, &a.double * &b.double);
         }
         let (a, b) = (self.signed(a), self.signed(b));
@@ -193,8 +172,8 @@ impl Domain for Values<'_> {
         Ok(self.with_sign(a.is_negative != b.is_negative, key))
     }
 
-    fn quotient(&mut self, a: Value, b: Value) -> Result<Value, Reason> {
-        if let (Value::Number(a), Value::Number(b)) = (&a, &b) {
+    fn quotient(&mut self, a: &Value, b: &Value) -> Result<Value, Reason> {
+        if let (Value::Number(a), Value::Number(b)) = (a, b) {
             if b.double == Rational::ZERO || b.exact == Rational::ZERO {
                 return Err(Reason::Literal("a number is divided by 0".into()));
             }
@@ -205,7 +184,7 @@ impl Domain for Values<'_> {
         Ok(self.with_sign(a.is_negative != b.is_negative, key))
     }
 
-    fn square_root(&mut self, a: Value) -> Result<Value, Reason> {
+    fn square_root(&mut self, a: &Value) -> Result<Value, Reason> {
         let a = self.signed(a);
         Ok(self.known_as(Key::SquareRoot(a)))
     }
@@ -232,27 +211,11 @@ impl Number {
     fn computed(exact: Rational, double: Rational) -> Result<Value, Reason> {
         match nearest(&double) {
             Some(double) => Ok(Value::Number(Number { exact, double })),
-            None => Err(Reason::Literal(format!("{exact} is beyond the doubles"))),
+            None => Err(beyond(&exact)),
         }
     }
 }
 
-/// A constant of the program: the double itself, or the quotient of the doubles nearest to its two parts
-/// in lowest terms.
-fn constant(exact: &Rational) -> Result<Number, Reason> {
-    let rounded = |part: Rational| {
-        nearest(&part).ok_or_else(|| Reason::Literal(format!("{exact} is beyond the doubles")))
-    };
-    let double = match nearest(exact) {
-        Some(double) if double == *exact => double,
-        _ => {
-            let above = rounded(Rational::from(exact.numerator().clone()))?;
-            let below = rounded(Rational::from(Integer::from(exact.denominator().clone())))?;
-            rounded(above / below)?
-        }
-    };
-    Ok(Number {
-        exact: exact.clone(),
-        double,
-    })
+fn beyond(exact: &Rational) -> Reason {
+    Reason::Literal(format!("{exact} is beyond the doubles"))
 }

@@ -5,6 +5,10 @@
 //! known) it decides nothing.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::convert::Infallible;
+
+use sextic_codegen::arithmetic::Arithmetic;
+use sextic_codegen::program::Program;
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::generator::Generator;
@@ -16,10 +20,7 @@ use crate::algebra::polynomial::Polynomial;
 use crate::algebra::ring::Ring;
 use crate::algebra::symbol::Symbol;
 
-use super::constant::Constant;
 use super::doubt::Reason;
-use super::execution::{Domain, execute};
-use super::reading::Reading;
 use super::specification::Specification;
 
 /// How many points are tried until all radicands are squares.
@@ -28,8 +29,7 @@ const MOST_TRIES: u64 = 64;
 /// A point, with what an evaluator takes and gives there.
 #[derive(Clone, Debug)]
 pub struct Point {
-    inputs: BTreeMap<String, Option<u64>>,
-    constants: BTreeMap<String, Option<u64>>,
+    inputs: Vec<Option<u64>>,
     outputs: Vec<Option<u64>>,
     /// The roots of the ring, by their radicands.
     roots: BTreeMap<u64, u64>,
@@ -40,13 +40,9 @@ impl Point {
     ///
     /// Complexity: linear in the number of terms of the outputs.
     pub fn of(specification: &Specification, ring: &Ring) -> Self {
-        let inputs = specification.inputs.iter().map(|(_, element)| element);
+        let inputs = specification.elements().map(|(_, element)| element);
         let outputs = specification.outputs.iter().map(|(_, element)| element);
-        let constants = specification
-            .constants
-            .iter()
-            .map(|constant| &constant.element);
-        let symbols = needed(inputs.chain(outputs).chain(constants), ring);
+        let symbols = needed(inputs.chain(outputs), ring);
         let mut coordinates = Coordinates::default();
         for seed in 0..MOST_TRIES {
             coordinates = Coordinates::draw(&symbols, ring, seed);
@@ -54,33 +50,28 @@ impl Point {
                 break;
             }
         }
-        let named =
-            |(name, element): &(String, Fraction)| (name.clone(), coordinates.fraction(element));
-        let fixed = |constant: &Constant| {
-            (
-                constant.name.clone(),
-                coordinates.fraction(&constant.element),
-            )
-        };
+        let inputs = specification.elements();
         let outputs = specification.outputs.iter();
         Point {
-            inputs: specification.inputs.iter().map(named).collect(),
-            constants: specification.constants.iter().map(fixed).collect(),
+            inputs: inputs
+                .map(|(_, element)| coordinates.fraction(element))
+                .collect(),
             outputs: outputs
                 .map(|(_, element)| coordinates.fraction(element))
                 .collect(),
-            roots: coordinates.roots.clone(),
+            roots: coordinates.roots,
         }
     }
 
-    /// Refuses a body that gives something else here than what was derived; whether all of its outputs
-    /// have a value here, otherwise.
+    /// Refuses the program of a body that gives something else here than what was derived; whether all of
+    /// its outputs have a value here, otherwise.
     ///
     /// # Errors
     ///
-    /// [`Reason`], for the first output that differs, and whatever keeps the body from being executed.
-    pub fn refute(&self, reading: &Reading, specification: &Specification) -> Result<bool, Reason> {
-        let found = execute(reading, specification, &mut Residues { point: self })?;
+    /// [`Reason::Different`], for the first output that differs.
+    pub fn refute(&self, body: &Program, specification: &Specification) -> Result<bool, Reason> {
+        let mut residues = Residues { roots: &self.roots };
+        let Ok(found) = body.run(&mut residues, &self.inputs);
         let mut is_decided = true;
         let names = specification.outputs.iter().map(|(name, _)| name);
         for (name, values) in names.zip(self.outputs.iter().zip(&found)) {
@@ -190,48 +181,43 @@ fn mixed(seed: u64, place: usize) -> u64 {
     (mixed ^ mixed >> 31) % (PRIME - 1) + 1
 }
 
-/// Numbers modulo the prime; none where nothing is known.
-struct Residues<'p> {
-    point: &'p Point,
+/// Numbers modulo [`PRIME`]; none where nothing is known.
+#[derive(Clone, Copy, Debug)]
+pub struct Residues<'r> {
+    /// The roots that are known, by their radicands: of two of them the one that a ring means.
+    pub roots: &'r BTreeMap<u64, u64>,
 }
 
-impl Domain for Residues<'_> {
+impl Arithmetic for Residues<'_> {
     type Value = Option<u64>;
+    type Error = Infallible;
 
-    fn input(&mut self, name: &str) -> Option<Option<u64>> {
-        self.point.inputs.get(name).copied()
+    fn constant(&mut self, value: &Rational) -> Result<Option<u64>, Infallible> {
+        let below = inverse(residue(&Integer::from(value.denominator().clone())));
+        Ok(below.map(|below| times(residue(value.numerator()), below)))
     }
 
-    fn constant(&mut self, constant: &Constant, _: &Rational) -> Option<u64> {
-        self.point.constants.get(&constant.name).copied().flatten()
-    }
-
-    fn number(&mut self, value: &Rational) -> Option<u64> {
-        let below = inverse(residue(&Integer::from(value.denominator().clone())))?;
-        Some(times(residue(value.numerator()), below))
-    }
-
-    fn negative(&mut self, a: Option<u64>) -> Result<Option<u64>, Reason> {
+    fn negative(&mut self, a: &Option<u64>) -> Result<Option<u64>, Infallible> {
         Ok(a.map(negative))
     }
 
-    fn sum(&mut self, a: Option<u64>, b: Option<u64>) -> Result<Option<u64>, Reason> {
-        Ok(a.zip(b).map(|(a, b)| reduce(a + b)))
+    fn sum(&mut self, a: &Option<u64>, b: &Option<u64>) -> Result<Option<u64>, Infallible> {
+        Ok(a.zip(*b).map(|(a, b)| reduce(a + b)))
     }
 
-    fn difference(&mut self, a: Option<u64>, b: Option<u64>) -> Result<Option<u64>, Reason> {
-        Ok(a.zip(b).map(|(a, b)| reduce(a + negative(b))))
+    fn difference(&mut self, a: &Option<u64>, b: &Option<u64>) -> Result<Option<u64>, Infallible> {
+        Ok(a.zip(*b).map(|(a, b)| reduce(a + negative(b))))
     }
 
-    fn product(&mut self, a: Option<u64>, b: Option<u64>) -> Result<Option<u64>, Reason> {
-        Ok(a.zip(b).map(|(a, b)| times(a, b)))
+    fn product(&mut self, a: &Option<u64>, b: &Option<u64>) -> Result<Option<u64>, Infallible> {
+        Ok(a.zip(*b).map(|(a, b)| times(a, b)))
     }
 
-    fn quotient(&mut self, a: Option<u64>, b: Option<u64>) -> Result<Option<u64>, Reason> {
+    fn quotient(&mut self, a: &Option<u64>, b: &Option<u64>) -> Result<Option<u64>, Infallible> {
         Ok(a.zip(b.and_then(inverse)).map(|(a, b)| times(a, b)))
     }
 
-    fn square_root(&mut self, a: Option<u64>) -> Result<Option<u64>, Reason> {
-        Ok(a.and_then(|a| self.point.roots.get(&a).copied()))
+    fn square_root(&mut self, a: &Option<u64>) -> Result<Option<u64>, Infallible> {
+        Ok(a.and_then(|a| self.roots.get(&a).copied()))
     }
 }

@@ -1,22 +1,23 @@
 //! The proof that a text computes what was derived: it is executed over the document's ring.
 
-use std::collections::BTreeMap;
 use std::fmt;
 
+use sextic_codegen::arithmetic::Arithmetic;
 use sextic_codegen::language::{File, Language};
+use sextic_codegen::program::Program;
 
-use crate::algebra::arithmetic::{Arithmetic, Division};
+use crate::algebra::arithmetic::{Arithmetic as _, Division as _};
+use crate::algebra::error::AlgebraError;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::number::Rational;
 use crate::algebra::ring::Ring;
 
-use super::constant::Constant;
 use super::door;
 use super::doubt::{Doubt, Reason};
-use super::execution::{Domain, execute};
 use super::operations;
 use super::point::Point;
-use super::reading::{Reading, read};
+use super::reading::read;
+use super::resolution::resolve;
 use super::specification::Specification;
 
 /// What was proven of emitted files. Only [`prove_files`] gives one.
@@ -84,9 +85,10 @@ pub fn prove_files(
     }
     for (place, reading) in &readings.bodies {
         let mut check = || {
-            operations::compare(reading, specification)?;
-            point.refute(reading, specification)?;
-            prove(reading, specification, ring)
+            let body = resolve(reading, specification)?;
+            operations::compare(&body, specification)?;
+            point.refute(&body, specification)?;
+            prove(&body, specification, ring)
         };
         check().map_err(|reason| Doubt {
             place: place.clone(),
@@ -101,22 +103,15 @@ pub fn prove_files(
     })
 }
 
-/// Executes a body in the document's ring, and compares every output with its normal form.
+/// Runs the program of a body in the document's ring, and compares every output with its normal form.
 ///
 /// # Errors
 ///
-/// [`Reason`] where anything at all is not as it must be.
-pub fn prove(
-    reading: &Reading,
-    specification: &Specification,
-    ring: &mut Ring,
-) -> Result<(), Reason> {
-    let inputs = specification.inputs.iter();
-    let inputs = inputs
-        .map(|(name, element)| (name.as_str(), element))
-        .collect();
-    let mut elements = Elements { ring, inputs };
-    let found = execute(reading, specification, &mut elements)?;
+/// [`Reason`] where an output differs, or the algebra cannot follow it.
+pub fn prove(body: &Program, specification: &Specification, ring: &mut Ring) -> Result<(), Reason> {
+    let elements = specification.elements();
+    let inputs: Vec<Fraction> = elements.map(|(_, element)| element.clone()).collect();
+    let found = body.run(&mut Elements(ring), &inputs)?;
     for ((name, derived), found) in specification.outputs.iter().zip(found) {
         if !ring.difference(&found, derived)?.is_zero() {
             return Err(Reason::Different(name.clone()));
@@ -126,47 +121,38 @@ pub fn prove(
 }
 
 /// The elements of a ring.
-struct Elements<'a> {
-    ring: &'a mut Ring,
-    inputs: BTreeMap<&'a str, &'a Fraction>,
-}
+#[derive(Debug)]
+pub struct Elements<'r>(pub &'r mut Ring);
 
-impl Domain for Elements<'_> {
+impl Arithmetic for Elements<'_> {
     type Value = Fraction;
+    type Error = AlgebraError;
 
-    fn input(&mut self, name: &str) -> Option<Fraction> {
-        self.inputs.get(name).map(|element| (*element).clone())
+    fn constant(&mut self, value: &Rational) -> Result<Fraction, AlgebraError> {
+        Ok(Fraction::constant(value.clone()))
     }
 
-    fn constant(&mut self, constant: &Constant, _: &Rational) -> Fraction {
-        constant.element.clone()
+    fn negative(&mut self, a: &Fraction) -> Result<Fraction, AlgebraError> {
+        Ok(self.0.negative(a))
     }
 
-    fn number(&mut self, value: &Rational) -> Fraction {
-        Fraction::constant(value.clone())
+    fn sum(&mut self, a: &Fraction, b: &Fraction) -> Result<Fraction, AlgebraError> {
+        self.0.sum(a, b)
     }
 
-    fn negative(&mut self, a: Fraction) -> Result<Fraction, Reason> {
-        Ok(self.ring.negative(&a))
+    fn difference(&mut self, a: &Fraction, b: &Fraction) -> Result<Fraction, AlgebraError> {
+        self.0.difference(a, b)
     }
 
-    fn sum(&mut self, a: Fraction, b: Fraction) -> Result<Fraction, Reason> {
-        Ok(self.ring.sum(&a, &b)?)
+    fn product(&mut self, a: &Fraction, b: &Fraction) -> Result<Fraction, AlgebraError> {
+        self.0.product(a, b)
     }
 
-    fn difference(&mut self, a: Fraction, b: Fraction) -> Result<Fraction, Reason> {
-        Ok(self.ring.difference(&a, &b)?)
+    fn quotient(&mut self, a: &Fraction, b: &Fraction) -> Result<Fraction, AlgebraError> {
+        self.0.quotient(a, b)
     }
 
-    fn product(&mut self, a: Fraction, b: Fraction) -> Result<Fraction, Reason> {
-        Ok(self.ring.product(&a, &b)?)
-    }
-
-    fn quotient(&mut self, a: Fraction, b: Fraction) -> Result<Fraction, Reason> {
-        Ok(self.ring.quotient(&a, &b)?)
-    }
-
-    fn square_root(&mut self, a: Fraction) -> Result<Fraction, Reason> {
-        Ok(self.ring.square_root(&a)?)
+    fn square_root(&mut self, a: &Fraction) -> Result<Fraction, AlgebraError> {
+        self.0.square_root(a)
     }
 }

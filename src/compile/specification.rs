@@ -195,6 +195,14 @@ impl Specification {
         })
     }
 
+    /// The inputs by name, and behind them those that are fixed, as elements of the document's ring.
+    pub fn elements(&self) -> impl Iterator<Item = (&str, &Fraction)> {
+        let free = self.inputs.iter();
+        let free = free.map(|(name, element)| (name.as_str(), element));
+        let fixed = self.constants.iter();
+        free.chain(fixed.map(|constant| (constant.name.as_str(), &constant.element)))
+    }
+
     /// Whether a name is that of an input, or of an angle that inputs are made of.
     pub fn rests_on(&self, name: &str) -> bool {
         self.names().any(|known| known == name)

@@ -1,6 +1,7 @@
 //! Expressions of a document become operations of a program, with the structure that they have there.
 
 mod matrix;
+mod normal_form;
 mod operation;
 mod surrounding;
 
@@ -17,8 +18,7 @@ use crate::language::syntax::{Expression, Name, Node as Syntax};
 
 use super::input::Input;
 use super::polynomial::Polynomial;
-pub(super) use surrounding::Context;
-use surrounding::{Frame, Surrounding};
+use surrounding::{Context, Frame, Surrounding};
 
 /// Longer programs are refused: calls within calls can become very long.
 const OPERATIONS: usize = 100_000;

@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 
 use num_complex::Complex;
 use rayon::prelude::*;
+use sextic_codegen::arithmetic::doubles::evaluate_at;
 use sextic_codegen::evaluator::Evaluator;
 use sextic_codegen::language::literal::Decimal;
-use sextic_codegen::rounding::{Interval, evaluate_at};
+use sextic_codegen::rounding::Interval;
 
 use crate::algebra::number::{Integer, Rational};
 

@@ -7,9 +7,11 @@ use sextic::compile::door;
 use sextic::compile::operations::compare;
 use sextic::compile::point::Point;
 use sextic::compile::proof::prove;
-use sextic::compile::reading::{Reading, read};
+use sextic::compile::reading::read;
+use sextic::compile::resolution::resolve;
 use sextic::compile::specification::Specification;
 use sextic_codegen::language::{File, Language};
+use sextic_codegen::program::Program;
 
 use super::edits::{Edit, Kind, edits};
 use super::{assert_locked, files_of, paper, specifications};
@@ -30,9 +32,21 @@ struct Algebra {
 }
 
 impl Algebra {
+    /// What is said of a text whose names mean nothing.
+    fn of_no_program(specification: &Specification) -> Self {
+        Algebra {
+            differs_at_point: true,
+            is_proven: is_small(specification).then_some(false),
+        }
+    }
+
     fn is_equal(self) -> bool {
         self.is_proven.unwrap_or(!self.differs_at_point)
     }
+}
+
+fn is_small(specification: &Specification) -> bool {
+    specification.evaluator.cost().total() < FEW
 }
 
 /// What became of the changes of a kind.
@@ -112,21 +126,18 @@ fn row(cells: impl Iterator<Item = String>) -> String {
 
 /// What a point and normal forms say of a text, each by itself.
 fn examine(
-    readings: &[(String, Reading)],
+    bodies: &[Program],
     specification: &Specification,
     point: &Point,
     ring: &mut Ring,
 ) -> Algebra {
-    let at_point = |(_, reading): &(String, Reading)| point.refute(reading, specification);
-    let at_point: Vec<_> = readings.iter().map(at_point).collect();
+    let at_point = bodies.iter().map(|body| point.refute(body, specification));
+    let at_point: Vec<_> = at_point.collect();
     let differs_at_point = at_point.iter().any(Result::is_err);
     let is_decided = differs_at_point || at_point.iter().all(|decided| *decided == Ok(true));
-    let is_small = specification.evaluator.cost().total() < FEW;
-    let is_proven = (is_small || !is_decided).then(|| {
+    let is_proven = (is_small(specification) || !is_decided).then(|| {
         ring.budget().refill();
-        let mut proofs = readings
-            .iter()
-            .map(|(_, reading)| prove(reading, specification, ring));
+        let mut proofs = bodies.iter().map(|body| prove(body, specification, ring));
         proofs.all(|proof| proof.is_ok())
     });
     if is_decided && let Some(is_proven) = is_proven {
@@ -180,10 +191,17 @@ fn try_all(
                     count.door += 1;
                     continue;
                 }
-                let readings = readings.bodies;
-                let compare = |(_, reading): &(String, Reading)| compare(reading, specification);
-                let is_another = readings.iter().map(compare).any(|verdict| verdict.is_err());
-                let algebra = examine(&readings, specification, &point, ring);
+                let readings = readings.bodies.iter();
+                let bodies = readings.map(|(_, reading)| resolve(reading, specification));
+                let (is_another, algebra) = match bodies.collect::<Result<Vec<Program>, _>>() {
+                    Err(_) => (true, Algebra::of_no_program(specification)),
+                    Ok(bodies) => (
+                        bodies
+                            .iter()
+                            .any(|body| compare(body, specification).is_err()),
+                        examine(&bodies, specification, &point, ring),
+                    ),
+                };
                 let shown = || format!("{}: {}", file.path, edit.shown(&file.text));
                 count.add(is_another, algebra, shown);
             }

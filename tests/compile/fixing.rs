@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use sextic::compile::fixed::Fixed;
 use sextic::compile::specification::{Refusal, Specification};
+use sextic_codegen::arithmetic::rationals::evaluate_exactly;
 use sextic_codegen::optimiser::specialise::specialise;
 use sextic_codegen::program::{Program, Rational};
-use sextic_codegen::rounding::evaluate_exactly;
 
 use super::{paper, specifications};
 

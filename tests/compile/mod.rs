@@ -1,5 +1,6 @@
 //! Evaluators of documents: translated, emitted, read back and proven.
 
+mod arithmetics;
 mod corruption;
 mod edits;
 mod fixing;

@@ -4,7 +4,7 @@ use sextic::compile::specification::{Refusal, Specification};
 use sextic::documents::ShippedLibrary;
 use sextic::language::diagnostic::SourceFile;
 use sextic::verdict::audit::audit;
-use sextic_codegen::rounding::evaluate;
+use sextic_codegen::arithmetic::doubles::evaluate;
 
 /// The last evaluator of a document with these statements.
 fn specify(statements: &str) -> Result<Specification, Refusal> {

@@ -2,13 +2,13 @@
 
 use std::collections::BTreeSet;
 
+use super::body::{Door, Reading, Source, Term, Unreadable};
 use super::cursor::Cursor;
 use super::infix::expression;
 use super::literal::decimal;
 use super::names::{Name, Names, quantity};
 use super::shape::{Hole, follow, taken};
 use super::token::{Dialect, tokens};
-use super::{Door, Reading, Source, Term, Unreadable};
 
 /// What a header is.
 const HEADER: &str = include_str!("shapes/c_header.txt");

@@ -1,6 +1,6 @@
 //! A position among tokens.
 
-use super::Unreadable;
+use super::body::Unreadable;
 use super::token::Token;
 
 /// A position among the tokens of a text.

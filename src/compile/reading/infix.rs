@@ -1,8 +1,8 @@
 //! Expressions with the usual signs, as C and Python have them.
 
+use super::body::{Term, Unreadable};
 use super::cursor::{Cursor, is_word};
 use super::literal::decimal;
-use super::{Term, Unreadable};
 
 /// How deep parentheses and signs may be nested.
 const DEEPEST: usize = 64;

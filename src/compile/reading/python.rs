@@ -2,12 +2,12 @@
 
 use std::collections::BTreeSet;
 
+use super::body::{Door, Reading, Source, Unreadable};
 use super::cursor::Cursor;
 use super::infix::expression;
 use super::names::{Name, Names, quantity};
 use super::shape::{Hole, follow, taken};
 use super::token::{Dialect, tokens};
-use super::{Door, Reading, Source, Unreadable};
 
 /// What a module is.
 const MODULE: &str = include_str!("shapes/python.txt");

@@ -4,12 +4,12 @@ use std::collections::BTreeSet;
 
 use syn::{BinOp, Block, Expr, Lit, Local, Member, Pat, Stmt, Type, UnOp};
 
+use super::body::{Door, Reading, Source, Term, Unreadable};
 use super::cursor::{Cursor, is_word};
 use super::literal::decimal;
 use super::names::{Name, Names, quantity};
 use super::shape::{Hole, follow, taken};
 use super::token::{Dialect, tokens};
-use super::{Door, Reading, Source, Term, Unreadable};
 
 /// What a module is.
 const MODULE: &str = include_str!("shapes/rust.txt");

@@ -9,7 +9,7 @@
 
 use std::collections::BTreeSet;
 
-use super::Unreadable;
+use super::body::Unreadable;
 use super::cursor::{Cursor, is_word};
 use super::names::{Name, Names, spellings};
 use super::token::{Dialect, tokens};

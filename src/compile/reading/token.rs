@@ -3,7 +3,7 @@
 //! Only comments are left out. What a compiler might take for something else than it seems here is
 //! refused: continued lines, nested comments, letters beyond ASCII.
 
-use super::Unreadable;
+use super::body::Unreadable;
 
 /// Whose tokens and comments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,7 +3,9 @@
 
 use dashu_base::Abs;
 
-use crate::program::{Node, Operation, Program, Rational};
+use crate::program::Rational;
+
+use super::Arithmetic;
 
 /// Half a unit in the last place of a double, squared, is 2⁻¹⁰⁶; sums and products of pairs are off by at
 /// most five such units.
@@ -20,7 +22,7 @@ const TINY: f64 = 1e-290;
 
 /// A number within `error` of `high + low`, where `low` is at most half a unit of `high`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Close {
+pub struct Close {
     high: f64,
     low: f64,
     error: f64,
@@ -55,13 +57,13 @@ fn two_product(a: f64, b: f64) -> (f64, f64) {
 }
 
 impl Close {
-    /// A double in range.
-    pub(super) fn exact(value: f64) -> Option<Self> {
+    /// A double; none if it is out of range.
+    pub fn exact(value: f64) -> Option<Self> {
         Close::new((value, 0.0), 0.0)
     }
 
-    /// An exact number that is next to a double in range.
-    pub(super) fn of(value: &Rational) -> Option<Self> {
+    /// An exact number; none if the double next to it is out of range.
+    pub fn of(value: &Rational) -> Option<Self> {
         let high = value.to_f64().value();
         let rest = value - Rational::try_from(high).ok()?;
         let low = rest.to_f64().value();
@@ -167,9 +169,16 @@ impl Close {
         Close::new((root.high, root.low), error * ABOVE + TINY)
     }
 
+    /// Two numbers that it is between.
+    pub fn bounds(self) -> Option<[Rational; 2]> {
+        let exact = |part: f64| Rational::try_from(part).ok();
+        let (middle, error) = (exact(self.high)? + exact(self.low)?, exact(self.error)?);
+        Some([&middle - &error, middle + error])
+    }
+
     /// The distance of a double in units in the last place of the number, if the bounds decide which these
     /// are and give the distance to a millionth.
-    pub(super) fn units(self, found: f64) -> Option<f64> {
+    pub fn units(self, found: f64) -> Option<f64> {
         if self.is_exactly_0() && found == 0.0 {
             return Some(0.0);
         }
@@ -190,42 +199,43 @@ impl Close {
     }
 }
 
-/// A program whose constants are pairs of doubles.
-pub(super) struct Pairs<'a> {
-    program: &'a Program,
-    constants: Vec<Option<Close>>,
-}
+/// Sums of two doubles with bounds of their errors.
+#[derive(Clone, Copy, Debug)]
+pub struct Pairs;
 
-impl<'a> Pairs<'a> {
-    pub(super) fn new(program: &'a Program) -> Self {
-        let constant = |operation: &Operation| match operation {
-            Operation::Constant(value) => Close::of(value),
-            _ => None,
-        };
-        Pairs {
-            program,
-            constants: program.operations().iter().map(constant).collect(),
-        }
+/// A value is out of range, a divisor may be 0 or a radicand negative.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Unknown;
+
+impl Arithmetic for Pairs {
+    type Value = Close;
+    type Error = Unknown;
+
+    fn constant(&mut self, value: &Rational) -> Result<Close, Unknown> {
+        Close::of(value).ok_or(Unknown)
     }
 
-    /// The outputs, if all values are in range, no divisor may be 0 and no radicand negative.
-    pub(super) fn run(&self, inputs: &[f64]) -> Option<Vec<Close>> {
-        let mut values: Vec<Close> = Vec::with_capacity(self.constants.len());
-        for (node, operation) in self.program.nodes() {
-            let at = |node: &Node| values[node.index()];
-            let value = match operation {
-                Operation::Input(place) => Close::exact(inputs[*place as usize]),
-                Operation::Constant(_) => self.constants[node.index()],
-                Operation::Add(a, b) => at(a).sum(at(b)),
-                Operation::Subtract(a, b) => at(a).difference(at(b)),
-                Operation::Multiply(a, b) => at(a).product(at(b)),
-                Operation::Divide(a, b) => at(a).quotient(at(b)),
-                Operation::Negative(a) => Some(at(a).negative()),
-                Operation::SquareRoot(a) => at(a).square_root(),
-            };
-            values.push(value?);
-        }
-        let outputs = self.program.outputs().iter();
-        Some(outputs.map(|(_, node)| values[node.index()]).collect())
+    fn negative(&mut self, a: &Close) -> Result<Close, Unknown> {
+        Ok(a.negative())
+    }
+
+    fn sum(&mut self, a: &Close, b: &Close) -> Result<Close, Unknown> {
+        a.sum(*b).ok_or(Unknown)
+    }
+
+    fn difference(&mut self, a: &Close, b: &Close) -> Result<Close, Unknown> {
+        a.difference(*b).ok_or(Unknown)
+    }
+
+    fn product(&mut self, a: &Close, b: &Close) -> Result<Close, Unknown> {
+        a.product(*b).ok_or(Unknown)
+    }
+
+    fn quotient(&mut self, a: &Close, b: &Close) -> Result<Close, Unknown> {
+        a.quotient(*b).ok_or(Unknown)
+    }
+
+    fn square_root(&mut self, a: &Close) -> Result<Close, Unknown> {
+        a.square_root().ok_or(Unknown)
     }
 }

@@ -12,8 +12,7 @@ use crate::algebra::polynomial::Polynomial as Element;
 use crate::algebra::symbol::Symbol;
 use crate::derivation::scope::Meaning;
 
-use super::polynomial::Polynomial;
-use super::translation::{Context, Obstacle, Translator};
+use super::{Context, Obstacle, Polynomial, Translator};
 
 impl Translator<'_> {
     /// An element as a polynomial in the variable that is collected, if there is one: each factor by
