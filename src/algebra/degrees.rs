@@ -21,10 +21,15 @@ pub(super) struct Degrees {
 impl Degrees {
     /// The degrees of a polynomial.
     pub(super) fn of(polynomial: &Polynomial) -> Self {
+        Degrees::of_all([polynomial].into_iter())
+    }
+
+    /// The highest degrees of several polynomials.
+    pub(super) fn of_all<'p>(polynomials: impl Iterator<Item = &'p Polynomial>) -> Self {
         let mut degrees = Degrees {
             by_index: Vec::with_capacity(USUAL_SYMBOLS),
         };
-        for (monomial, _) in polynomial.terms() {
+        for (monomial, _) in polynomials.flat_map(Polynomial::terms) {
             for (symbol, exponent) in monomial.factors() {
                 let degree = degrees.entry(symbol);
                 *degree = exponent.max(*degree);

@@ -131,6 +131,11 @@ impl Fraction {
         &self.denominator
     }
 
+    /// The polynomial that this is, if nothing stands below the line.
+    pub fn as_polynomial(&self) -> Option<&Polynomial> {
+        self.denominator.is_one().then_some(&self.numerator)
+    }
+
     /// The symbols that occur on either side of the line.
     ///
     /// Complexity: one pass over the terms.

@@ -20,6 +20,8 @@ pub(super) struct Layout {
     fields: Vec<Field>,
     /// By the index of a symbol, the lowest bit of its field.
     shifts: Vec<u32>,
+    /// By bit, the place of its field.
+    places: [u8; 128],
 }
 
 /// The bits that hold the exponent of one symbol.
@@ -27,6 +29,8 @@ struct Field {
     symbol: Symbol,
     shift: u32,
     width: u32,
+    /// All bits of the fields behind it.
+    below: u128,
 }
 
 impl Layout {
@@ -37,22 +41,29 @@ impl Layout {
         let bits = degrees.iter().map(|(_, degree)| width(degree)).sum();
         let mut fields = Vec::new();
         let mut shifts = Vec::new();
+        let mut places = [0; 128];
         let mut shift = bits;
         for (symbol, degree) in degrees.iter() {
             let width = width(degree);
             shift -= width;
             shifts.resize(symbol.index(), 0);
             shifts.push(shift);
+            // What takes more bits is never packed.
+            if let Some(own) = places.get_mut(shift as usize..(shift + width) as usize) {
+                own.fill(fields.len() as u8);
+            }
             fields.push(Field {
                 symbol,
                 shift,
                 width,
+                below: 1_u128.checked_shl(shift).map_or(0, |bit| bit - 1),
             });
         }
         Layout {
             bits,
             fields,
             shifts,
+            places,
         }
     }
 
@@ -67,11 +78,16 @@ impl Layout {
         monomial.factors().map(field).sum()
     }
 
-    fn unpack(&self, word: u128) -> Monomial {
-        Monomial::collect_powers(self.fields.iter().map(|field| {
-            let exponent = word >> field.shift & ((1 << field.width) - 1);
-            (field.symbol, exponent as u16)
-        }))
+    /// Field by field, without looking at those that are 0.
+    fn unpack(&self, mut word: u128) -> Monomial {
+        let mut monomial = Monomial::one();
+        while word != 0 {
+            let highest = 127 & !word.leading_zeros();
+            let field = &self.fields[usize::from(self.places[highest as usize])];
+            monomial.push(field.symbol, (word >> field.shift) as u16);
+            word &= field.below;
+        }
+        monomial
     }
 
     /// The highest bit of every field.
