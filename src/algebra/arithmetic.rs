@@ -77,6 +77,21 @@ pub struct SignedProduct<L, R> {
     pub right: R,
 }
 
+impl<L, R> SignedProduct<L, R> {
+    /// The product of what the factors refer to.
+    pub fn borrowed<E>(&self) -> SignedProduct<&E, &E>
+    where
+        L: Borrow<E>,
+        R: Borrow<E>,
+    {
+        SignedProduct {
+            is_negative: self.is_negative,
+            left: self.left.borrow(),
+            right: self.right.borrow(),
+        }
+    }
+}
+
 /// Σ ±a·b by a product and a sum at a time.
 pub(super) fn one_by_one<A: Arithmetic + ?Sized, L: Borrow<A::Element>, R: Borrow<A::Element>>(
     arithmetic: &A,

@@ -59,6 +59,14 @@ impl Degrees {
         all.filter(|&(_, degree)| degree != 0)
     }
 
+    /// Makes every degree at least that of the other.
+    pub(super) fn raise(&mut self, other: &Self) {
+        for (symbol, degree) in other.iter() {
+            let entry = self.entry(symbol);
+            *entry = degree.max(*entry);
+        }
+    }
+
     /// The degrees of a product of polynomials of these degrees.
     pub(super) fn sum(&self, other: &Self) -> Result<Self, Exhausted> {
         let mut sum = self.clone();

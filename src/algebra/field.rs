@@ -2,12 +2,13 @@
 
 use std::borrow::Borrow;
 
+use smallvec::SmallVec;
+
 use super::arithmetic::{Arithmetic, Division, SignedProduct, one_by_one};
 use super::error::AlgebraError;
 use super::fraction::Fraction;
 use super::generator::Generator;
 use super::number::Rational;
-use super::polynomial::Polynomial;
 use super::ring::Ring;
 
 impl Ring {
@@ -87,22 +88,16 @@ impl Arithmetic for Ring {
         self.fold(a.product(b, self.budget())?)
     }
 
-    /// Sums of polynomials are found and folded at once.
+    /// Where only integers stand below the lines the sum is found and folded at once.
     fn sum_of_products<L: Borrow<Fraction>, R: Borrow<Fraction>>(
         &self,
         products: impl Iterator<Item = Result<SignedProduct<L, R>, AlgebraError>>,
     ) -> Result<Fraction, AlgebraError> {
-        let products = products.collect::<Result<Vec<_>, _>>()?;
-        let polynomials = products.iter().map(|product| {
-            Some(SignedProduct {
-                is_negative: product.is_negative,
-                left: product.left.borrow().as_polynomial()?,
-                right: product.right.borrow().as_polynomial()?,
-            })
-        });
-        match polynomials.collect::<Option<Vec<_>>>() {
-            Some(all) => self.fold(Polynomial::sum_of_products(&all, self.budget())?.into()),
-            None => one_by_one(self, products.into_iter().map(Ok)),
+        let products = products.collect::<Result<SmallVec<[_; 8]>, _>>()?;
+        let borrowed: SmallVec<[_; 8]> = products.iter().map(SignedProduct::borrowed).collect();
+        match Fraction::sum_of_products(&borrowed, self.budget())? {
+            Some(sum) => self.fold(sum),
+            None => one_by_one(self, borrowed.into_iter().map(Ok)),
         }
     }
 }

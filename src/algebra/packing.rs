@@ -39,25 +39,33 @@ impl Layout {
     pub(super) fn new(degrees: &Degrees, guard: u32) -> Self {
         let width = |degree: u32| guard + u32::BITS - degree.leading_zeros();
         let bits = degrees.iter().map(|(_, degree)| width(degree)).sum();
-        let mut fields = Vec::new();
-        let mut shifts = Vec::new();
-        let mut places = [0; 128];
+        let mut fields = Vec::with_capacity(degrees.iter().count());
         let mut shift = bits;
         for (symbol, degree) in degrees.iter() {
             let width = width(degree);
             shift -= width;
-            shifts.resize(symbol.index(), 0);
-            shifts.push(shift);
-            // What takes more bits is never packed.
-            if let Some(own) = places.get_mut(shift as usize..(shift + width) as usize) {
-                own.fill(fields.len() as u8);
-            }
             fields.push(Field {
                 symbol,
                 shift,
                 width,
                 below: 1_u128.checked_shl(shift).map_or(0, |bit| bit - 1),
             });
+        }
+        Layout::of_fields(bits, fields)
+    }
+
+    /// Finds the fields by symbol and by bit.
+    fn of_fields(bits: u32, fields: Vec<Field>) -> Self {
+        let last = fields.last().map(|field| field.symbol.index());
+        let mut shifts = vec![0; last.map_or(0, |last| last + 1)];
+        let mut places = [0; 128];
+        for (place, field) in fields.iter().enumerate() {
+            shifts[field.symbol.index()] = field.shift;
+            // What takes more bits than there are is never packed.
+            let own = field.shift as usize..(field.shift + field.width) as usize;
+            if let Some(own) = places.get_mut(own) {
+                own.fill(place as u8);
+            }
         }
         Layout {
             bits,

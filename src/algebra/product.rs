@@ -1,10 +1,11 @@
-//! Products and powers of polynomials.
+//! Products of polynomials, sums of them, and powers.
 //!
-//! A product is collected in the cheapest representation that provably holds
+//! A sum of products is collected in the cheapest representation that provably holds
 //! it: monomials packed into 64 or 128 bits where the degrees allow, and
 //! coefficients as machine integers where no sum of products can overflow.
 
 use dashu_base::BitTest;
+use smallvec::SmallVec;
 
 use super::arithmetic::SignedProduct;
 use super::budget::{Budget, Exhausted, check_bits, check_terms, words};
@@ -181,12 +182,23 @@ fn bits(products: &[SignedProduct<&Polynomial, &Polynomial>]) -> usize {
     longest.max().unwrap_or(0) + summands.sum::<usize>().max(1).ilog2() as usize + 1
 }
 
-/// The degrees that no term of a sum of products exceeds.
+/// Degrees that no term of a sum of products exceeds: quickly found ones if they are not too large, else
+/// the least ones.
 fn degrees(products: &[SignedProduct<&Polynomial, &Polynomial>]) -> Result<Degrees, Exhausted> {
     let left = Degrees::of_all(products.iter().map(|product| product.left));
-    left.sum(&Degrees::of_all(
-        products.iter().map(|product| product.right),
-    ))
+    let right = Degrees::of_all(products.iter().map(|product| product.right));
+    left.sum(&right).or_else(|_| least_degrees(products))
+}
+
+/// The highest degrees of all products.
+fn least_degrees(
+    products: &[SignedProduct<&Polynomial, &Polynomial>],
+) -> Result<Degrees, Exhausted> {
+    let mut highest = Degrees::default();
+    for product in products {
+        highest.raise(&Degrees::of(product.left).sum(&Degrees::of(product.right))?);
+    }
+    Ok(highest)
 }
 
 /// Collects with the narrowest coefficients in which sums of `bits` bits fit.
@@ -207,17 +219,15 @@ fn collect<K: Key, C: Coefficient>(
     products: &[SignedProduct<&Polynomial, &Polynomial>],
     layout: &Layout,
 ) -> Result<Polynomial, Exhausted> {
-    let factors: Vec<_> = products
+    let factors: SmallVec<[_; 4]> = products
         .iter()
         .map(|product| factors::<K, C>(product, layout))
         .collect();
-    let rows = factors.iter().flat_map(|(few, many)| {
-        few.iter().map(|factor| Row {
-            factor,
-            terms: many,
-        })
-    });
-    let sums = gather(&rows.collect::<Vec<_>>())?;
+    let mut rows = Vec::with_capacity(factors.iter().map(|(few, _)| few.len()).sum());
+    for (few, terms) in &factors {
+        rows.extend(few.iter().map(|factor| Row { factor, terms }));
+    }
+    let sums = gather(&rows)?;
     let mut terms = Terms::with_capacity(sums.len());
     let sums = sums.into_iter().filter(|(_, sum)| !sum.is_zero());
     terms.extend(sums.map(|(key, sum)| (key.decode(layout), sum.into_integer())));
@@ -249,10 +259,10 @@ pub(super) fn encode<K: Key, C: Coefficient>(
     polynomial: &Polynomial,
     layout: &Layout,
 ) -> Vec<(K, C)> {
-    let terms = polynomial.terms().iter();
     let encode =
         |(monomial, coefficient): &Term| Some((K::encode(monomial, layout), C::read(coefficient)?));
-    let encoded: Vec<(K, C)> = terms.filter_map(encode).collect();
+    let mut encoded = Vec::with_capacity(polynomial.len());
+    encoded.extend(polynomial.terms().iter().filter_map(encode));
     debug_assert_eq!(encoded.len(), polynomial.len());
     encoded
 }
@@ -441,6 +451,37 @@ mod tests {
                 Some(middle)
             );
         }
+    }
+
+    #[test]
+    fn the_largest_sums_of_several_products_fit() {
+        for bits in 28..66 {
+            let coefficient = (Integer::ONE << bits) - Integer::ONE;
+            let [left, right] = ["a", "-b"].map(|text| polynomial(text).scale(&coefficient));
+            let product = SignedProduct {
+                is_negative: true,
+                left: &left,
+                right: &right,
+            };
+            let sum = Polynomial::sum_of_products(&[product; 3], &Budget::unlimited()).unwrap();
+            let expected = &coefficient * &coefficient * Integer::from(3);
+            assert_eq!(sum, polynomial("a*b").scale(&expected));
+        }
+    }
+
+    #[test]
+    fn factors_of_different_products_may_have_large_exponents() {
+        let [a, high] = ["a", "a^65534"].map(polynomial);
+        let product = |left, right| SignedProduct {
+            is_negative: false,
+            left,
+            right,
+        };
+        let both = [product(&high, &a), product(&a, &high)];
+        let sum = Polynomial::sum_of_products(&both, &Budget::unlimited());
+        assert_eq!(sum.unwrap(), polynomial("2*a^65535"));
+        let refused = Polynomial::sum_of_products(&[product(&high, &high)], &Budget::unlimited());
+        assert_eq!(refused.unwrap_err().resource, Resource::Exponent);
     }
 
     #[test]
