@@ -4,12 +4,12 @@ use sextic::algebra::angle::Angle;
 use sextic::algebra::arithmetic::Arithmetic;
 use sextic::algebra::budget::Budget;
 use sextic::algebra::determinant::determinant;
-use sextic::algebra::error::AlgebraError;
 use sextic::algebra::fraction::Fraction;
 use sextic::algebra::generator::Generator;
 use sextic::algebra::matrix::Matrix;
 use sextic::algebra::number::{Integer, Rational};
 use sextic::algebra::ring::Ring;
+use sextic::algebra::univariate::Univariate;
 
 /// λ²M + λC + K over a ring.
 pub struct Pencil {
@@ -74,7 +74,7 @@ impl Pencil {
                 damping = ring.sum(&damping, &structural[row]).unwrap();
                 rigid = stiffness[row].clone();
             }
-            vec![rigid, damping, mass.at(row, column).clone()]
+            Univariate(&ring).polynomial(vec![rigid, damping, mass.at(row, column).clone()])
         });
         Pencil { ring, matrix }
     }
@@ -91,7 +91,7 @@ impl Pencil {
 
     /// The coefficients of |λ²M + λC + K|, that of λ⁰ first.
     pub fn coefficients(&self) -> Vec<Fraction> {
-        determinant(&self.matrix, &Powers(&self.ring)).unwrap()
+        determinant(&self.matrix, &Univariate(&self.ring)).unwrap()
     }
 
     /// The number of terms of the expanded determinant.
@@ -143,47 +143,4 @@ fn named(name: &str, ring: &mut Ring) -> Fraction {
         .symbol(Generator::Constant { name: name.into() })
         .unwrap();
     ring.element(symbol)
-}
-
-/// Polynomials in λ over a ring, the coefficient of λ⁰ first.
-struct Powers<'a>(&'a Ring);
-
-impl Arithmetic for Powers<'_> {
-    type Element = Vec<Fraction>;
-    type Error = AlgebraError;
-
-    fn zero(&self) -> Vec<Fraction> {
-        Vec::new()
-    }
-
-    fn one(&self) -> Vec<Fraction> {
-        vec![self.0.one()]
-    }
-
-    fn is_zero(&self, a: &Vec<Fraction>) -> bool {
-        a.iter().all(Fraction::is_zero)
-    }
-
-    fn sum(&self, a: &Vec<Fraction>, b: &Vec<Fraction>) -> Result<Vec<Fraction>, AlgebraError> {
-        let (long, short) = if a.len() < b.len() { (b, a) } else { (a, b) };
-        let mut sum = long.clone();
-        for (part, other) in sum.iter_mut().zip(short) {
-            *part = self.0.sum(part, other)?;
-        }
-        Ok(sum)
-    }
-
-    fn negative(&self, a: &Vec<Fraction>) -> Vec<Fraction> {
-        a.iter().map(|part| self.0.negative(part)).collect()
-    }
-
-    fn product(&self, a: &Vec<Fraction>, b: &Vec<Fraction>) -> Result<Vec<Fraction>, AlgebraError> {
-        let mut product = vec![self.0.zero(); (a.len() + b.len()).saturating_sub(1)];
-        for (i, x) in a.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
-            for (j, y) in b.iter().enumerate() {
-                product[i + j] = self.0.sum(&product[i + j], &self.0.product(x, y)?)?;
-            }
-        }
-        Ok(product)
-    }
 }

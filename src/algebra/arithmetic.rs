@@ -1,5 +1,7 @@
 //! What a matrix needs of its entries.
 
+use std::borrow::Borrow;
+
 /// A commutative ring, as far as matrices need one: the context in which entries are added and
 /// multiplied.
 ///
@@ -49,6 +51,62 @@ pub trait Arithmetic {
     ) -> Result<Self::Element, Self::Error> {
         self.sum(a, &self.negative(b))
     }
+
+    /// Σ ±a·b, where each product is asked for when those before it were added.
+    ///
+    /// # Errors
+    ///
+    /// The first of the products, and those of the sums.
+    fn sum_of_products<L: Borrow<Self::Element>, R: Borrow<Self::Element>>(
+        &self,
+        products: impl Iterator<Item = Result<SignedProduct<L, R>, Self::Error>>,
+    ) -> Result<Self::Element, Self::Error> {
+        one_by_one(self, products)
+    }
+}
+
+/// a·b or −a·b, as a part of a sum: not yet computed, since a sum that knows all its products can be
+/// found at once.
+#[derive(Clone, Copy, Debug)]
+pub struct SignedProduct<L, R> {
+    /// Whether it is −a·b.
+    pub is_negative: bool,
+    /// a
+    pub left: L,
+    /// b
+    pub right: R,
+}
+
+impl<L, R> SignedProduct<L, R> {
+    /// The product of what the factors refer to.
+    pub fn borrowed<E>(&self) -> SignedProduct<&E, &E>
+    where
+        L: Borrow<E>,
+        R: Borrow<E>,
+    {
+        SignedProduct {
+            is_negative: self.is_negative,
+            left: self.left.borrow(),
+            right: self.right.borrow(),
+        }
+    }
+}
+
+/// Σ ±a·b by a product and a sum at a time.
+pub(super) fn one_by_one<A: Arithmetic + ?Sized, L: Borrow<A::Element>, R: Borrow<A::Element>>(
+    arithmetic: &A,
+    products: impl Iterator<Item = Result<SignedProduct<L, R>, A::Error>>,
+) -> Result<A::Element, A::Error> {
+    let mut sum = arithmetic.zero();
+    for product in products {
+        let product = product?;
+        let term = arithmetic.product(product.left.borrow(), product.right.borrow())?;
+        sum = match product.is_negative {
+            true => arithmetic.difference(&sum, &term)?,
+            false => arithmetic.sum(&sum, &term)?,
+        };
+    }
+    Ok(sum)
 }
 
 /// An [`Arithmetic`] in which one can divide by everything but 0.

@@ -18,6 +18,12 @@ pub(super) trait Coefficient: Clone {
 
     /// `left · right`, for values whose product is known to fit.
     fn product(left: &Self, right: &Self) -> Self;
+
+    /// `-self`, for values of which it is known to fit.
+    fn negative(&self) -> Self;
+
+    /// `self` or 0; without a branch for machine words.
+    fn if_taken(&self, is_taken: bool) -> Self;
 }
 
 macro_rules! machine_coefficient {
@@ -41,6 +47,14 @@ macro_rules! machine_coefficient {
 
             fn product(left: &Self, right: &Self) -> Self {
                 left * right
+            }
+
+            fn negative(&self) -> Self {
+                -self
+            }
+
+            fn if_taken(&self, is_taken: bool) -> Self {
+                self * Self::from(is_taken)
             }
         }
     };
@@ -68,5 +82,16 @@ impl Coefficient for Integer {
 
     fn product(left: &Self, right: &Self) -> Self {
         left * right
+    }
+
+    fn negative(&self) -> Self {
+        -self
+    }
+
+    fn if_taken(&self, is_taken: bool) -> Self {
+        match is_taken {
+            true => self.clone(),
+            false => Integer::ZERO,
+        }
     }
 }

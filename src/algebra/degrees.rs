@@ -21,10 +21,15 @@ pub(super) struct Degrees {
 impl Degrees {
     /// The degrees of a polynomial.
     pub(super) fn of(polynomial: &Polynomial) -> Self {
+        Degrees::of_all([polynomial].into_iter())
+    }
+
+    /// The highest degrees of several polynomials.
+    pub(super) fn of_all<'p>(polynomials: impl Iterator<Item = &'p Polynomial>) -> Self {
         let mut degrees = Degrees {
             by_index: Vec::with_capacity(USUAL_SYMBOLS),
         };
-        for (monomial, _) in polynomial.terms() {
+        for (monomial, _) in polynomials.flat_map(Polynomial::terms) {
             for (symbol, exponent) in monomial.factors() {
                 let degree = degrees.entry(symbol);
                 *degree = exponent.max(*degree);
@@ -52,6 +57,14 @@ impl Degrees {
         let symbols = (0..=u16::MAX).map(Symbol::new);
         let all = symbols.zip(self.by_index.iter().copied());
         all.filter(|&(_, degree)| degree != 0)
+    }
+
+    /// Makes every degree at least that of the other.
+    pub(super) fn raise(&mut self, other: &Self) {
+        for (symbol, degree) in other.iter() {
+            let entry = self.entry(symbol);
+            *entry = degree.max(*entry);
+        }
     }
 
     /// The degrees of a product of polynomials of these degrees.

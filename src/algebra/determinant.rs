@@ -1,8 +1,9 @@
 //! Determinants and adjugates without division.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
-use super::arithmetic::Arithmetic;
+use super::arithmetic::{Arithmetic, SignedProduct};
 use super::matrix::Matrix;
 
 /// |A| of a square matrix, by expansion along the rows with every minor computed once.
@@ -44,50 +45,53 @@ pub fn determinant<A: Arithmetic>(
         matrix.columns()
     );
     let columns: Vec<usize> = (0..matrix.columns()).collect();
-    Minors {
+    let mut minors = Minors {
         matrix,
         arithmetic,
         known: BTreeMap::new(),
-    }
-    .minor(0, &columns)
+    };
+    minors.expanded(0, &columns)
 }
 
 /// The minors of the last rows of a matrix, each computed once.
 struct Minors<'a, A: Arithmetic> {
     matrix: &'a Matrix<A::Element>,
     arithmetic: &'a A,
-    known: BTreeMap<Vec<usize>, A::Element>,
+    known: BTreeMap<Vec<usize>, Rc<A::Element>>,
 }
 
 impl<A: Arithmetic> Minors<'_, A> {
     /// The minor of the rows from `row` on and as many columns.
-    fn minor(&mut self, row: usize, columns: &[usize]) -> Result<A::Element, A::Error> {
-        let Some((last, _)) = columns.split_last() else {
-            return Ok(self.arithmetic.one());
-        };
-        if columns.len() == 1 {
-            return Ok(self.matrix.at(row, *last).clone());
-        }
+    fn minor(&mut self, row: usize, columns: &[usize]) -> Result<Rc<A::Element>, A::Error> {
         if let Some(known) = self.known.get(columns) {
             return Ok(known.clone());
         }
-        let mut sum = self.arithmetic.zero();
-        for (place, &column) in columns.iter().enumerate() {
-            let entry = self.matrix.at(row, column);
-            if self.arithmetic.is_negligible(entry) {
-                continue;
-            }
-            let others: Vec<usize> = columns.iter().copied().filter(|c| *c != column).collect();
-            let minor = self.minor(row + 1, &others)?;
-            let term = self.arithmetic.product(entry, &minor)?;
-            sum = if place % 2 == 0 {
-                self.arithmetic.sum(&sum, &term)?
-            } else {
-                self.arithmetic.difference(&sum, &term)?
-            };
+        let minor = Rc::new(self.expanded(row, columns)?);
+        self.known.insert(columns.to_vec(), minor.clone());
+        Ok(minor)
+    }
+
+    /// The same by its first row, as one sum.
+    fn expanded(&mut self, row: usize, columns: &[usize]) -> Result<A::Element, A::Error> {
+        match columns {
+            [] => return Ok(self.arithmetic.one()),
+            [last] => return Ok(self.matrix.at(row, *last).clone()),
+            _ => (),
         }
-        self.known.insert(columns.to_vec(), sum.clone());
-        Ok(sum)
+        let (matrix, arithmetic) = (self.matrix, self.arithmetic);
+        let entries = columns.iter().map(|column| matrix.at(row, *column));
+        let entries = entries.enumerate();
+        let products = entries.filter(|(_, entry)| !arithmetic.is_negligible(entry));
+        arithmetic.sum_of_products(products.map(|(place, left)| {
+            Ok(SignedProduct {
+                is_negative: place % 2 == 1,
+                left,
+                right: self.minor(
+                    row + 1,
+                    &[&columns[..place], &columns[place + 1..]].concat(),
+                )?,
+            })
+        }))
     }
 }
 

@@ -1,6 +1,10 @@
 //! The field of fractions of a ring: its arithmetic.
 
-use super::arithmetic::{Arithmetic, Division};
+use std::borrow::Borrow;
+
+use smallvec::SmallVec;
+
+use super::arithmetic::{Arithmetic, Division, SignedProduct, one_by_one};
 use super::error::AlgebraError;
 use super::fraction::Fraction;
 use super::generator::Generator;
@@ -82,6 +86,19 @@ impl Arithmetic for Ring {
 
     fn product(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, AlgebraError> {
         self.fold(a.product(b, self.budget())?)
+    }
+
+    /// Where only integers stand below the lines the sum is found and folded at once.
+    fn sum_of_products<L: Borrow<Fraction>, R: Borrow<Fraction>>(
+        &self,
+        products: impl Iterator<Item = Result<SignedProduct<L, R>, AlgebraError>>,
+    ) -> Result<Fraction, AlgebraError> {
+        let products = products.collect::<Result<SmallVec<[_; 8]>, _>>()?;
+        let borrowed: SmallVec<[_; 8]> = products.iter().map(SignedProduct::borrowed).collect();
+        match Fraction::sum_of_products(&borrowed, self.budget())? {
+            Some(sum) => self.fold(sum),
+            None => one_by_one(self, borrowed.into_iter().map(Ok)),
+        }
     }
 }
 

@@ -4,12 +4,14 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use dashu_base::UnsignedAbs;
+use smallvec::SmallVec;
 
+use super::arithmetic::SignedProduct;
 use super::budget::{Budget, Exhausted};
 use super::error::AlgebraError;
 use super::gcd::quotient;
 use super::number::{Integer, Rational};
-use super::polynomial::Polynomial;
+use super::polynomial::{Polynomial, integer_gcd};
 use super::symbol::Symbol;
 
 /// A quotient of two polynomials, always in lowest terms.
@@ -193,6 +195,30 @@ impl Fraction {
         Ok(Fraction::from_coprime(numerator, denominator))
     }
 
+    /// `Σ ±a·b` at once, where nothing but integers stands below the lines; else `None`.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::Exhausted`] if `budget` does not allow the steps.
+    pub(super) fn sum_of_products(
+        products: &[SignedProduct<&Self, &Self>],
+        budget: &Budget,
+    ) -> Result<Option<Self>, AlgebraError> {
+        let below = products.iter().map(|product| {
+            let below = product.left.denominator.as_constant()?;
+            Some(below * product.right.denominator.as_constant()?)
+        });
+        let Some(below) = below.collect::<Option<SmallVec<[Integer; 8]>>>() else {
+            return Ok(None);
+        };
+        let multiple = below.iter().fold(Integer::ONE, |multiple, own| {
+            &multiple / integer_gcd(&multiple, own) * own
+        });
+        let factors = below.iter().map(|own| &multiple / own);
+        let numerator = scaled_sum(products, &factors.collect::<SmallVec<[_; 8]>>(), budget)?;
+        Fraction::reduced(numerator, Polynomial::constant(multiple), budget).map(Some)
+    }
+
     /// `self / other`.
     ///
     /// # Errors
@@ -276,6 +302,31 @@ impl Fraction {
             .multiply(&e, budget)?;
         Ok(Fraction::from_coprime(rest.numerator, denominator))
     }
+}
+
+/// The sum of the products of numerators, each times a factor.
+fn scaled_sum(
+    products: &[SignedProduct<&Fraction, &Fraction>],
+    factors: &[Integer],
+    budget: &Budget,
+) -> Result<Polynomial, Exhausted> {
+    let scaled = products.iter().zip(factors).map(|(product, factor)| {
+        let left = &product.left.numerator;
+        match factor.is_one() {
+            true => Cow::Borrowed(left),
+            false => Cow::Owned(left.scale(factor)),
+        }
+    });
+    let scaled: SmallVec<[_; 8]> = scaled.collect();
+    let products = products
+        .iter()
+        .zip(&scaled)
+        .map(|(product, left)| SignedProduct {
+            is_negative: product.is_negative,
+            left: &**left,
+            right: &product.right.numerator,
+        });
+    Polynomial::sum_of_products(&products.collect::<SmallVec<[_; 8]>>(), budget)
 }
 
 /// The gcd of two polynomials, where it is not 1; the second one is not zero.

@@ -166,22 +166,6 @@ impl Monomial {
         (picked, others)
     }
 
-    /// The product of powers of increasing symbols, of which there are at most
-    /// 128; exponents may be zero.
-    ///
-    /// Free of branches, as it decides how fast products are unpacked.
-    pub(super) fn collect_powers(powers: impl Iterator<Item = (Symbol, u16)>) -> Self {
-        let mut buffer = [Power(0); 128];
-        let mut length = 0;
-        for (symbol, exponent) in powers {
-            buffer[length] = Power::new(symbol, exponent);
-            length += usize::from(exponent != 0);
-        }
-        Monomial {
-            powers: SmallVec::from_slice(&buffer[..length]),
-        }
-    }
-
     /// Multiplies by the power of a symbol beyond all those that occur.
     pub(super) fn push(&mut self, symbol: Symbol, exponent: u16) {
         debug_assert!(self.powers.last().is_none_or(|last| last.symbol() < symbol));

@@ -20,6 +20,8 @@ pub(super) struct Layout {
     fields: Vec<Field>,
     /// By the index of a symbol, the lowest bit of its field.
     shifts: Vec<u32>,
+    /// By bit, the place of its field.
+    places: [u8; 128],
 }
 
 /// The bits that hold the exponent of one symbol.
@@ -27,6 +29,8 @@ struct Field {
     symbol: Symbol,
     shift: u32,
     width: u32,
+    /// All bits of the fields behind it.
+    below: u128,
 }
 
 impl Layout {
@@ -35,24 +39,39 @@ impl Layout {
     pub(super) fn new(degrees: &Degrees, guard: u32) -> Self {
         let width = |degree: u32| guard + u32::BITS - degree.leading_zeros();
         let bits = degrees.iter().map(|(_, degree)| width(degree)).sum();
-        let mut fields = Vec::new();
-        let mut shifts = Vec::new();
+        let mut fields = Vec::with_capacity(degrees.iter().count());
         let mut shift = bits;
         for (symbol, degree) in degrees.iter() {
             let width = width(degree);
             shift -= width;
-            shifts.resize(symbol.index(), 0);
-            shifts.push(shift);
             fields.push(Field {
                 symbol,
                 shift,
                 width,
+                below: 1_u128.checked_shl(shift).map_or(0, |bit| bit - 1),
             });
+        }
+        Layout::of_fields(bits, fields)
+    }
+
+    /// Finds the fields by symbol and by bit.
+    fn of_fields(bits: u32, fields: Vec<Field>) -> Self {
+        let last = fields.last().map(|field| field.symbol.index());
+        let mut shifts = vec![0; last.map_or(0, |last| last + 1)];
+        let mut places = [0; 128];
+        for (place, field) in fields.iter().enumerate() {
+            shifts[field.symbol.index()] = field.shift;
+            // What takes more bits than there are is never packed.
+            let own = field.shift as usize..(field.shift + field.width) as usize;
+            if let Some(own) = places.get_mut(own) {
+                own.fill(place as u8);
+            }
         }
         Layout {
             bits,
             fields,
             shifts,
+            places,
         }
     }
 
@@ -67,11 +86,16 @@ impl Layout {
         monomial.factors().map(field).sum()
     }
 
-    fn unpack(&self, word: u128) -> Monomial {
-        Monomial::collect_powers(self.fields.iter().map(|field| {
-            let exponent = word >> field.shift & ((1 << field.width) - 1);
-            (field.symbol, exponent as u16)
-        }))
+    /// Field by field, without looking at those that are 0.
+    fn unpack(&self, mut word: u128) -> Monomial {
+        let mut monomial = Monomial::one();
+        while word != 0 {
+            let highest = 127 & !word.leading_zeros();
+            let field = &self.fields[usize::from(self.places[highest as usize])];
+            monomial.push(field.symbol, (word >> field.shift) as u16);
+            word &= field.below;
+        }
+        monomial
     }
 
     /// The highest bit of every field.

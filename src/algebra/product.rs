@@ -1,14 +1,13 @@
-//! Products and powers of polynomials.
+//! Products of polynomials, sums of them, and powers.
 //!
-//! A product is collected in the cheapest representation that provably holds
+//! A sum of products is collected in the cheapest representation that provably holds
 //! it: monomials packed into 64 or 128 bits where the degrees allow, and
 //! coefficients as machine integers where no sum of products can overflow.
 
-use std::collections::hash_map::Entry;
-
 use dashu_base::BitTest;
-use rustc_hash::FxHashMap;
+use smallvec::SmallVec;
 
+use super::arithmetic::SignedProduct;
 use super::budget::{Budget, Exhausted, check_bits, check_terms, words};
 use super::coefficient::Coefficient;
 use super::degrees::Degrees;
@@ -17,9 +16,8 @@ use super::number::Integer;
 use super::packing::{Key, Layout};
 use super::polynomial::{Polynomial, Term, Terms};
 
-/// Up to so many products of terms are sorted; more are hashed, as many of
-/// them are likely to meet in the same term.
-const MOST_SORTED: usize = 256;
+/// Up to so many products of terms are sorted, which is quicker for few.
+const MOST_SORTED: usize = 64;
 
 /// What it costs to keep a term, and how many terms of a product cost nothing.
 const STEPS_FOR_A_TERM: u64 = 10;
@@ -43,26 +41,38 @@ impl Polynomial {
         if self.is_one() || other.is_one() {
             return Ok(if self.is_one() { other } else { self }.clone());
         }
-        budget.spend(length(self).saturating_mul(length(other)))?;
-        // A term of the product is a sum of at most one product for each term
-        // of the shorter factor.
-        let summands = self.len().min(other.len());
-        let bits = widest(self) + widest(other) + summands.ilog2() as usize + 1;
-        check_bits(bits)?;
-        let product = match (self.terms(), other.terms()) {
-            ([term], _) => other.times_term(term),
-            (_, [term]) => self.times_term(term),
-            _ => {
-                let layout = Layout::new(&Degrees::of(self).sum(&Degrees::of(other))?, 0);
-                match layout.bits() {
-                    ..=64 => collect_in::<u64>(self, other, &layout, bits),
-                    65..=128 => collect_in::<u128>(self, other, &layout, bits),
-                    _ => collect::<Monomial, Integer>(self, other, &layout),
-                }
+        let product = [SignedProduct {
+            is_negative: false,
+            left: self,
+            right: other,
+        }];
+        match (self.terms(), other.terms()) {
+            ([term], _) => paid(&product, budget, |_| other.times_term(term)),
+            (_, [term]) => paid(&product, budget, |_| self.times_term(term)),
+            _ => Polynomial::sum_of_products(&product, budget),
+        }
+    }
+
+    /// `Σ ±a·b`, without the single products.
+    ///
+    /// Takes the steps of all products, and `n·log r` comparisons for the `n` products of terms, where
+    /// the shorter factors have `r` terms together.
+    ///
+    /// # Errors
+    ///
+    /// [`Exhausted`] as for [`multiply`](Polynomial::multiply).
+    pub(super) fn sum_of_products(
+        products: &[SignedProduct<&Self, &Self>],
+        budget: &Budget,
+    ) -> Result<Self, Exhausted> {
+        paid(products, budget, |bits| {
+            let layout = Layout::new(&degrees(products)?, 0);
+            match layout.bits() {
+                ..=64 => collect_in::<u64>(products, &layout, bits),
+                65..=128 => collect_in::<u128>(products, &layout, bits),
+                _ => collect::<Monomial, Integer>(products, &layout),
             }
-        }?;
-        budget.spend(STEPS_FOR_A_TERM * product.len().saturating_sub(MOST_FREE) as u64)?;
-        Ok(product)
+        })
     }
 
     /// `self^exponent`; `0^0` is 1.
@@ -143,36 +153,105 @@ pub(super) fn widest(polynomial: &Polynomial) -> usize {
     lengths.max().unwrap_or(0)
 }
 
+/// A sum of products, made with so many bits as its coefficients may have, for the steps that it takes.
+fn paid(
+    products: &[SignedProduct<&Polynomial, &Polynomial>],
+    budget: &Budget,
+    sum: impl FnOnce(usize) -> Result<Polynomial, Exhausted>,
+) -> Result<Polynomial, Exhausted> {
+    let steps = products
+        .iter()
+        .map(|product| length(product.left).saturating_mul(length(product.right)));
+    budget.spend(steps.fold(0, u64::saturating_add))?;
+    let bits = bits(products);
+    check_bits(bits)?;
+    let sum = sum(bits)?;
+    budget.spend(STEPS_FOR_A_TERM * sum.len().saturating_sub(MOST_FREE) as u64)?;
+    Ok(sum)
+}
+
+/// So many bits have the coefficients of a sum of products at most.
+fn bits(products: &[SignedProduct<&Polynomial, &Polynomial>]) -> usize {
+    // A term of a product is a sum of at most one product for each term of the shorter factor.
+    let summands = products
+        .iter()
+        .map(|product| product.left.len().min(product.right.len()));
+    let longest = products
+        .iter()
+        .map(|product| widest(product.left) + widest(product.right));
+    longest.max().unwrap_or(0) + summands.sum::<usize>().max(1).ilog2() as usize + 1
+}
+
+/// Degrees that no term of a sum of products exceeds: quickly found ones if they are not too large, else
+/// the least ones.
+fn degrees(products: &[SignedProduct<&Polynomial, &Polynomial>]) -> Result<Degrees, Exhausted> {
+    let left = Degrees::of_all(products.iter().map(|product| product.left));
+    let right = Degrees::of_all(products.iter().map(|product| product.right));
+    left.sum(&right).or_else(|_| least_degrees(products))
+}
+
+/// The highest degrees of all products.
+fn least_degrees(
+    products: &[SignedProduct<&Polynomial, &Polynomial>],
+) -> Result<Degrees, Exhausted> {
+    let mut highest = Degrees::default();
+    for product in products {
+        highest.raise(&Degrees::of(product.left).sum(&Degrees::of(product.right))?);
+    }
+    Ok(highest)
+}
+
 /// Collects with the narrowest coefficients in which sums of `bits` bits fit.
 fn collect_in<K: Key>(
-    left: &Polynomial,
-    right: &Polynomial,
+    products: &[SignedProduct<&Polynomial, &Polynomial>],
     layout: &Layout,
     bits: usize,
 ) -> Result<Polynomial, Exhausted> {
     match bits {
-        ..=63 => collect::<K, i64>(left, right, layout),
-        64..=127 => collect::<K, i128>(left, right, layout),
-        _ => collect::<K, Integer>(left, right, layout),
+        ..=63 => collect::<K, i64>(products, layout),
+        64..=127 => collect::<K, i128>(products, layout),
+        _ => collect::<K, Integer>(products, layout),
     }
 }
 
-/// Collects the product of two polynomials in the given representation.
+/// Collects a sum of products in the given representation.
 fn collect<K: Key, C: Coefficient>(
-    left: &Polynomial,
-    right: &Polynomial,
+    products: &[SignedProduct<&Polynomial, &Polynomial>],
     layout: &Layout,
 ) -> Result<Polynomial, Exhausted> {
-    let (left, right) = (encode::<K, C>(left, layout), encode::<K, C>(right, layout));
-    let sums = if left.len() * right.len() <= MOST_SORTED {
-        sorted(&left, &right)?
-    } else {
-        hashed(&left, &right)?
-    };
+    let factors: SmallVec<[_; 4]> = products
+        .iter()
+        .map(|product| factors::<K, C>(product, layout))
+        .collect();
+    let mut rows = Vec::with_capacity(factors.iter().map(|(few, _)| few.len()).sum());
+    for (few, terms) in &factors {
+        rows.extend(few.iter().map(|factor| Row { factor, terms }));
+    }
+    let sums = gather(&rows)?;
     let mut terms = Terms::with_capacity(sums.len());
     let sums = sums.into_iter().filter(|(_, sum)| !sum.is_zero());
     terms.extend(sums.map(|(key, sum)| (key.decode(layout), sum.into_integer())));
     Ok(Polynomial::from_sorted(terms))
+}
+
+/// The factors of a product in the given representation: first the shorter one, which has the sign.
+fn factors<K: Key, C: Coefficient>(
+    product: &SignedProduct<&Polynomial, &Polynomial>,
+    layout: &Layout,
+) -> (Vec<(K, C)>, Vec<(K, C)>) {
+    let (mut few, mut many) = (
+        encode::<K, C>(product.left, layout),
+        encode(product.right, layout),
+    );
+    if few.len() > many.len() {
+        std::mem::swap(&mut few, &mut many);
+    }
+    if product.is_negative {
+        for (_, coefficient) in &mut few {
+            *coefficient = coefficient.negative();
+        }
+    }
+    (few, many)
 }
 
 /// The terms of a polynomial in the given representation.
@@ -180,27 +259,43 @@ pub(super) fn encode<K: Key, C: Coefficient>(
     polynomial: &Polynomial,
     layout: &Layout,
 ) -> Vec<(K, C)> {
-    let terms = polynomial.terms().iter();
     let encode =
         |(monomial, coefficient): &Term| Some((K::encode(monomial, layout), C::read(coefficient)?));
-    let encoded: Vec<(K, C)> = terms.filter_map(encode).collect();
+    let mut encoded = Vec::with_capacity(polynomial.len());
+    encoded.extend(polynomial.terms().iter().filter_map(encode));
     debug_assert_eq!(encoded.len(), polynomial.len());
     encoded
 }
 
-/// The sums of the products with equal keys, by decreasing key; all products
-/// are in memory at once.
+/// One term times others, which are by decreasing key; and so are then the products.
+struct Row<'a, K, C> {
+    factor: &'a (K, C),
+    terms: &'a [(K, C)],
+}
+
+/// The sums of the products with equal keys, by decreasing key; some may be 0.
+///
+/// Many products are gathered half of the rows at a time, so that no more than sums are kept.
+fn gather<K: Key, C: Coefficient>(rows: &[Row<K, C>]) -> Result<Vec<(K, C)>, Exhausted> {
+    let count = rows.iter().map(|row| row.terms.len()).sum();
+    if count <= MOST_SORTED || rows.len() == 1 {
+        return sorted(rows, count);
+    }
+    let (first, second) = rows.split_at(rows.len() / 2);
+    let sums = merge(&gather(first)?, &gather(second)?);
+    check_terms(sums.len())?;
+    Ok(sums)
+}
+
+/// The same with all products in memory at once.
 fn sorted<K: Key, C: Coefficient>(
-    left: &[(K, C)],
-    right: &[(K, C)],
+    rows: &[Row<K, C>],
+    count: usize,
 ) -> Result<Vec<(K, C)>, Exhausted> {
-    let mut products = Vec::with_capacity(left.len() * right.len());
-    for (left_key, left_value) in left {
-        for (right_key, right_value) in right {
-            products.push((
-                left_key.product(right_key)?,
-                C::product(left_value, right_value),
-            ));
+    let mut products = Vec::with_capacity(count);
+    for Row { factor, terms } in rows {
+        for (key, coefficient) in *terms {
+            products.push((factor.0.product(key)?, C::product(&factor.1, coefficient)));
         }
     }
     products.sort_unstable_by(|(left, _), (right, _)| right.cmp(left));
@@ -214,28 +309,25 @@ fn sorted<K: Key, C: Coefficient>(
     Ok(products)
 }
 
-/// The sums of the products with equal keys, by decreasing key; only the sums
-/// are in memory.
-fn hashed<K: Key, C: Coefficient>(
-    left: &[(K, C)],
-    right: &[(K, C)],
-) -> Result<Vec<(K, C)>, Exhausted> {
-    let mut sums = FxHashMap::<K, C>::default();
-    for (left_key, left_value) in left {
-        for (right_key, right_value) in right {
-            let product = C::product(left_value, right_value);
-            match sums.entry(left_key.product(right_key)?) {
-                Entry::Occupied(sum) => sum.into_mut().plus(&product),
-                Entry::Vacant(place) => {
-                    place.insert(product);
-                }
-            }
-        }
-        check_terms(sums.len())?;
+/// The terms of both, by decreasing key.
+///
+/// Which of them comes next cannot be predicted, so there is no branch for it.
+fn merge<K: Key, C: Coefficient>(mut left: &[(K, C)], mut right: &[(K, C)]) -> Vec<(K, C)> {
+    let mut sums = Vec::with_capacity(left.len() + right.len());
+    while let ([first, ..], [second, ..]) = (left, right) {
+        let (is_left, is_right) = (first.0 >= second.0, second.0 >= first.0);
+        let mut sum = first.1.if_taken(is_left);
+        sum.plus(&second.1.if_taken(is_right));
+        let key = if is_left { &first.0 } else { &second.0 };
+        sums.push((key.clone(), sum));
+        (left, right) = (
+            &left[usize::from(is_left)..],
+            &right[usize::from(is_right)..],
+        );
     }
-    let mut sums: Vec<(K, C)> = sums.into_iter().collect();
-    sums.sort_unstable_by(|(left, _), (right, _)| right.cmp(left));
-    Ok(sums)
+    sums.extend_from_slice(left);
+    sums.extend_from_slice(right);
+    sums
 }
 
 #[cfg(test)]
@@ -251,15 +343,32 @@ mod tests {
         fn every_representation_gives_the_same_product(
             left in arbitrary(20, 300, 29), right in arbitrary(20, 100, 29),
         ) {
-            let layout = Layout::new(&Degrees::of(&left).sum(&Degrees::of(&right)).unwrap(), 0);
-            let generic = collect::<Monomial, Integer>(&left, &right, &layout).unwrap();
+            let factors = [SignedProduct { is_negative: false, left: &left, right: &right }];
+            let layout = Layout::new(&degrees(&factors).unwrap(), 0);
+            let generic = collect::<Monomial, Integer>(&factors, &layout).unwrap();
             let product = left.multiply(&right, &Budget::unlimited()).unwrap();
             prop_assert_eq!(&product, &generic);
-            prop_assert_eq!(&collect::<u128, i64>(&left, &right, &layout).unwrap(), &generic);
-            prop_assert_eq!(&collect::<u128, i128>(&left, &right, &layout).unwrap(), &generic);
+            prop_assert_eq!(&collect::<u128, i64>(&factors, &layout).unwrap(), &generic);
+            prop_assert_eq!(&collect::<u128, i128>(&factors, &layout).unwrap(), &generic);
             if layout.bits() <= 64 {
-                prop_assert_eq!(&collect::<u64, i64>(&left, &right, &layout).unwrap(), &generic);
+                prop_assert_eq!(&collect::<u64, i64>(&factors, &layout).unwrap(), &generic);
             }
+        }
+
+        #[test]
+        fn a_sum_of_products_is_the_products_summed(
+            factors in prop::collection::vec((any::<bool>(), arbitrary(12, 300, 62), arbitrary(6, 40, 62)), 0..6),
+        ) {
+            let budget = Budget::unlimited();
+            let summed = factors.iter().fold(Polynomial::zero(), |sum, (is_negative, left, right)| {
+                let product = left.multiply(right, &budget).unwrap();
+                if *is_negative { &sum - &product } else { &sum + &product }
+            });
+            let products: Vec<_> = factors
+                .iter()
+                .map(|(is_negative, left, right)| SignedProduct { is_negative: *is_negative, left, right })
+                .collect();
+            prop_assert_eq!(Polynomial::sum_of_products(&products, &budget).unwrap(), summed);
         }
 
         #[test]
@@ -276,19 +385,26 @@ mod tests {
             left in arbitrary(20, 2, 62), right in arbitrary(20, 2, 120), other in arbitrary(20, 2, 62),
         ) {
             for right in [right, other] {
-                let layout = Layout::new(&Degrees::of(&left).sum(&Degrees::of(&right)).unwrap(), 0);
-                let generic = collect::<Monomial, Integer>(&left, &right, &layout).unwrap();
+                let factors = [SignedProduct { is_negative: false, left: &left, right: &right }];
+                let layout = Layout::new(&degrees(&factors).unwrap(), 0);
+                let generic = collect::<Monomial, Integer>(&factors, &layout).unwrap();
                 prop_assert_eq!(left.multiply(&right, &Budget::unlimited()).unwrap(), generic);
             }
         }
 
         #[test]
-        fn sorting_and_hashing_give_the_same_sums(
-            left in arbitrary(12, 2, 20), right in arbitrary(12, 2, 20),
+        fn sorting_and_merging_give_the_same_sums(
+            left in arbitrary(20, 2, 20), right in arbitrary(12, 2, 20),
         ) {
             let layout = Layout::new(&Degrees::of(&left).sum(&Degrees::of(&right)).unwrap(), 0);
-            let (left, right) = (encode::<u64, i64>(&left, &layout), encode::<u64, i64>(&right, &layout));
-            prop_assert_eq!(sorted(&left, &right), hashed(&left, &right));
+            let (left, terms) = (encode::<u64, i64>(&left, &layout), encode::<u64, i64>(&right, &layout));
+            let rows: Vec<_> = left.iter().map(|factor| Row { factor, terms: &terms }).collect();
+            let sorted = sorted(&rows, left.len() * terms.len()).unwrap();
+            prop_assert_eq!(gather(&rows).unwrap(), sorted.clone());
+            let merged = rows.iter().fold(Vec::new(), |sums, row| {
+                merge(&sums, &super::sorted(std::slice::from_ref(row), terms.len()).unwrap())
+            });
+            prop_assert_eq!(merged, sorted);
         }
     }
 
@@ -335,6 +451,37 @@ mod tests {
                 Some(middle)
             );
         }
+    }
+
+    #[test]
+    fn the_largest_sums_of_several_products_fit() {
+        for bits in 28..66 {
+            let coefficient = (Integer::ONE << bits) - Integer::ONE;
+            let [left, right] = ["a", "-b"].map(|text| polynomial(text).scale(&coefficient));
+            let product = SignedProduct {
+                is_negative: true,
+                left: &left,
+                right: &right,
+            };
+            let sum = Polynomial::sum_of_products(&[product; 3], &Budget::unlimited()).unwrap();
+            let expected = &coefficient * &coefficient * Integer::from(3);
+            assert_eq!(sum, polynomial("a*b").scale(&expected));
+        }
+    }
+
+    #[test]
+    fn factors_of_different_products_may_have_large_exponents() {
+        let [a, high] = ["a", "a^65534"].map(polynomial);
+        let product = |left, right| SignedProduct {
+            is_negative: false,
+            left,
+            right,
+        };
+        let both = [product(&high, &a), product(&a, &high)];
+        let sum = Polynomial::sum_of_products(&both, &Budget::unlimited());
+        assert_eq!(sum.unwrap(), polynomial("2*a^65535"));
+        let refused = Polynomial::sum_of_products(&[product(&high, &high)], &Budget::unlimited());
+        assert_eq!(refused.unwrap_err().resource, Resource::Exponent);
     }
 
     #[test]

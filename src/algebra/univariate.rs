@@ -1,6 +1,8 @@
 //! Polynomials in one unknown over any [`Arithmetic`].
 
-use super::arithmetic::Arithmetic;
+use std::borrow::Borrow;
+
+use super::arithmetic::{Arithmetic, SignedProduct};
 
 /// The ring of polynomials in one unknown, with coefficients of another ring.
 ///
@@ -36,6 +38,26 @@ impl<A: Arithmetic> Univariate<'_, A> {
             coefficients.pop();
         }
         coefficients
+    }
+
+    /// The products of coefficients that have the given power in a product of polynomials.
+    fn of_power<'e>(
+        &self,
+        product: SignedProduct<&'e [A::Element], &'e [A::Element]>,
+        power: usize,
+    ) -> impl Iterator<Item = SignedProduct<&'e A::Element, &'e A::Element>> {
+        let lowest = (power + 1).saturating_sub(product.right.len());
+        let lefts = product.left.iter().enumerate().take(power + 1);
+        let pairs = lefts
+            .skip(lowest)
+            .map(move |(own, left)| (left, &product.right[power - own]));
+        let pairs = pairs
+            .filter(|(left, right)| !self.0.is_negligible(left) && !self.0.is_negligible(right));
+        pairs.map(move |(left, right)| SignedProduct {
+            is_negative: product.is_negative,
+            left,
+            right,
+        })
     }
 
     /// The derivative.
@@ -152,14 +174,36 @@ impl<A: Arithmetic> Arithmetic for Univariate<'_, A> {
     }
 
     fn product(&self, a: &Self::Element, b: &Self::Element) -> Result<Self::Element, Self::Error> {
-        let mut product = vec![self.0.zero(); (a.len() + b.len()).saturating_sub(1)];
-        for (i, own) in a.iter().enumerate() {
-            for (j, other) in b.iter().enumerate() {
-                let term = self.0.product(own, other)?;
-                product[i + j] = self.0.sum(&product[i + j], &term)?;
-            }
-        }
-        Ok(self.polynomial(product))
+        let product = SignedProduct {
+            is_negative: false,
+            left: a,
+            right: b,
+        };
+        self.sum_of_products([Ok(product)].into_iter())
+    }
+
+    /// Power by power, each coefficient as one sum of products.
+    fn sum_of_products<L: Borrow<Self::Element>, R: Borrow<Self::Element>>(
+        &self,
+        products: impl Iterator<Item = Result<SignedProduct<L, R>, Self::Error>>,
+    ) -> Result<Self::Element, Self::Error> {
+        let products = products.collect::<Result<Vec<_>, _>>()?;
+        let factors = products.iter().map(|product| SignedProduct {
+            is_negative: product.is_negative,
+            left: &product.left.borrow()[..],
+            right: &product.right.borrow()[..],
+        });
+        let lengths = factors
+            .clone()
+            .map(|product| product.left.len() + product.right.len());
+        let powers = 0..lengths.max().unwrap_or(0).saturating_sub(1);
+        let coefficient = |power| {
+            let parts = factors
+                .clone()
+                .flat_map(|product| self.of_power(product, power));
+            self.0.sum_of_products(parts.map(Ok))
+        };
+        Ok(self.polynomial(powers.map(coefficient).collect::<Result<_, _>>()?))
     }
 }
 

@@ -1,6 +1,8 @@
 //! Values with units.
 
-use crate::algebra::arithmetic::{Arithmetic, Division};
+use std::borrow::Borrow;
+
+use crate::algebra::arithmetic::{Arithmetic, Division, SignedProduct};
 use crate::algebra::error::AlgebraError;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::matrix::Matrix;
@@ -57,6 +59,12 @@ pub fn common_unit(a: &Option<Unit>, b: &Option<Unit>) -> Result<Option<Unit>, Q
         (Some(unit), _) | (None, Some(unit)) => Ok(Some(unit.clone())),
         (None, None) => Ok(None),
     }
+}
+
+/// The unit of a product, which has none where a factor is the number 0.
+fn unit_of_product(a: &Quantity, b: &Quantity) -> Option<Unit> {
+    let units = a.unit.as_ref().zip(b.unit.as_ref());
+    units.map(|(a, b)| a.product(b))
 }
 
 /// Why two quantities could not be combined.
@@ -126,12 +134,28 @@ impl Arithmetic for Quantities<'_> {
     }
 
     fn product(&self, a: &Quantity, b: &Quantity) -> Result<Quantity, QuantityError> {
-        let unit = a
-            .unit
-            .as_ref()
-            .zip(b.unit.as_ref())
-            .map(|(a, b)| a.product(b));
         let value = self.0.product(&a.value, &b.value)?;
+        self.pay_for(&value)?;
+        let unit = unit_of_product(a, b);
+        Ok(Quantity { value, unit })
+    }
+
+    /// The values at once, if their units agree.
+    fn sum_of_products<L: Borrow<Quantity>, R: Borrow<Quantity>>(
+        &self,
+        products: impl Iterator<Item = Result<SignedProduct<L, R>, QuantityError>>,
+    ) -> Result<Quantity, QuantityError> {
+        let products = products.collect::<Result<Vec<_>, _>>()?;
+        let products = products.iter().map(SignedProduct::borrowed::<Quantity>);
+        let unit = products.clone().try_fold(None, |unit, product| {
+            common_unit(&unit, &unit_of_product(product.left, product.right))
+        })?;
+        let values = products.map(|product| SignedProduct {
+            is_negative: product.is_negative,
+            left: &product.left.value,
+            right: &product.right.value,
+        });
+        let value = self.0.sum_of_products(values.map(Ok))?;
         self.pay_for(&value)?;
         Ok(Quantity { value, unit })
     }

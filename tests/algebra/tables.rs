@@ -2,9 +2,13 @@
 //! headers how.
 
 use super::support::{budget, monomial};
+use sextic::algebra::determinant::determinant;
 use sextic::algebra::fraction::Fraction;
+use sextic::algebra::generator::Generator;
+use sextic::algebra::matrix::Matrix;
 use sextic::algebra::number::Integer;
 use sextic::algebra::polynomial::Polynomial;
+use sextic::algebra::ring::Ring;
 
 /// The rows of a table, each a list of polynomials.
 fn rows(table: &str) -> Vec<Vec<Polynomial>> {
@@ -38,6 +42,21 @@ fn products() {
             panic!("{row:?}")
         };
         assert_eq!(left.multiply(right, &budget()).unwrap(), *product);
+    }
+}
+
+#[test]
+fn determinants() {
+    let mut ring = Ring::new(budget());
+    for name in ["x0", "x1", "x2"] {
+        ring.symbol(Generator::Constant { name: name.into() })
+            .unwrap();
+    }
+    for row in rows(include_str!("../data/algebra/determinants.txt")) {
+        let (expected, entries) = row.split_last().unwrap();
+        let entry = |row, column| Fraction::from(entries[3 * row + column].clone());
+        let found = determinant(&Matrix::from_fn(3, 3, entry), &ring).unwrap();
+        assert_eq!(found, expected.clone().into());
     }
 }
 

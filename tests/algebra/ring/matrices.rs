@@ -1,13 +1,16 @@
 //! Determinants, adjugates, linear systems and null spaces, over fractions with relations.
 
 use proptest::prelude::*;
-use sextic::algebra::arithmetic::Arithmetic;
+use sextic::algebra::arithmetic::{Arithmetic, SignedProduct};
 use sextic::algebra::determinant::{adjugate, determinant};
+use sextic::algebra::error::AlgebraError;
 use sextic::algebra::fraction::Fraction;
+use sextic::algebra::generator::Generator;
 use sextic::algebra::linear_system::{null_space, solve};
 use sextic::algebra::matrix::Matrix;
 use sextic::algebra::number::Rational;
 use sextic::algebra::ring::Ring;
+use sextic::algebra::univariate::Univariate;
 
 use super::field::{self, Done, element};
 use super::terms::{Term, World, term, world};
@@ -127,6 +130,39 @@ proptest! {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
+
+    #[test]
+    fn a_sum_of_products_is_the_products_summed(
+        terms in prop::collection::vec((any::<bool>(), term(2), term(2)), 1..4), mut world in world(),
+    ) {
+        let mut products = Vec::new();
+        for (is_negative, left, right) in &terms {
+            let [left, right] = [left, right].map(|term| element(term, &mut world));
+            products.push(SignedProduct { is_negative: *is_negative, left: left?, right: right? });
+        }
+        let ring = &world.ring;
+        let mut expected = ring.zero();
+        for product in &products {
+            let term = ring.product(&product.left, &product.right).done()?;
+            let term = if product.is_negative { ring.negative(&term) } else { term };
+            expected = ring.sum(&expected, &term).done()?;
+        }
+        let found = ring.sum_of_products(products.into_iter().map(Ok::<_, AlgebraError>)).done()?;
+        prop_assert_eq!(found, expected);
+    }
+
+    #[test]
+    fn the_powers_of_a_determinant_are_those_of_its_unknown(terms in prop::collection::vec(term(1), 8), mut world in world()) {
+        let unknown = world.ring.symbol(Generator::Constant { name: "unknown".into() }).unwrap();
+        let (a, b) = (symbolic(&terms[..4], 2, &mut world)?, symbolic(&terms[4..], 2, &mut world)?);
+        let ring = &world.ring;
+        let linear = Matrix::from_fn(2, 2, |row, column| vec![a.at(row, column).clone(), b.at(row, column).clone()]);
+        let powers = determinant(&linear, &Univariate(ring)).done()?;
+        let unknown = ring.element(unknown);
+        let pencil = a.zip_with(&b, |a, b| ring.sum(a, &ring.product(&unknown, b)?)).done()?;
+        let value = Univariate(ring).value(&powers, &unknown).done()?;
+        prop_assert!(field::same(ring, &value, &determinant(&pencil, ring).done()?)?);
+    }
 
     #[test]
     fn determinants_are_multiplicative(terms in prop::collection::vec(term(2), 8), mut world in world()) {

@@ -4,7 +4,7 @@ A polynomial in x0, x1, x2 is a list of `coefficient:e0,e1,e2`, by decreasing
 exponents, and `0` is zero. Fields are separated by `|`.
 """
 import random
-from sympy import Poly, Rational, ZZ, gcd, symbols
+from sympy import Matrix, Poly, Rational, ZZ, gcd, symbols
 
 X = symbols("x0 x1 x2")
 
@@ -87,9 +87,19 @@ def square_free(rng):
         yield product, *parts
 
 
+def determinants(rng):
+    """The nine entries, row by row, some of them 0, and the determinant."""
+    for size in [9, 10**9, 10**25]:
+        for _ in range(8):
+            entries = [arbitrary(rng, rng.randint(0, 3), 3, size) for _ in range(9)]
+            expanded = Matrix(3, 3, [entry.as_expr() for entry in entries]).det(method="berkowitz").expand()
+            yield *entries, Poly(expanded, *X, domain=ZZ)
+
+
 rng = random.Random(20240229)
 table("products.txt", "left | right | product", products(rng))
 table("gcds.txt", "left | right | gcd", gcds(rng))
 table("fractions.txt", "numerator | denominator | the same in lowest terms", fractions(rng))
 table("sums.txt", "n | d | m | e | n/d + m/e in lowest terms", sums(rng))
 table("square_free.txt", "polynomial | product of its simple factors | of its double ones | ...", square_free(rng))
+table("determinants.txt", "nine entries, row by row | determinant", determinants(rng))
