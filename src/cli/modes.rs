@@ -18,7 +18,7 @@ use crate::stability::exact_section::ExactSection;
 use crate::stability::model::Model;
 use crate::stability::quantities::{names, needed, parameters};
 use crate::stability::section::{Parameters, Section};
-use crate::stability::system::Instance;
+use crate::stability::system::instance::Instance;
 use crate::stability::tracking::{Mode, places};
 use crate::stability::uniform_form::uniform_form;
 use crate::stability::verdict::{Doubt, Verdict, exact_verdict};

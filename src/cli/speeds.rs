@@ -1,18 +1,25 @@
 //! `sextic speeds`: the wind speeds at which a section gallops.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use crate::algebra::number::Rational;
+use crate::compile::fixed::{Fixed, number_of};
+use crate::language::syntax::Name;
+use crate::report::ranges::RangesFound;
 use crate::report::speeds::SpeedsFound;
 use crate::report::{csv, json, speeds_figure, text};
 use crate::stability::critical_speed::speeds_of;
 
 use super::Outcome;
 use super::case::{case_and_table, refuse};
+use super::generate::FixedParser;
+use super::output::wrong;
+use super::system::{Which, is_document, numbers};
 use super::view::View;
 
-/// Finds the critical wind speeds of a case
+/// Finds the critical wind speeds of a case, or critical values of any quantity of a system
 ///
 /// At each angle of the case: from which wind speed on the section gallops, and at which it is stable again.
 /// The speeds are the roots of a Hurwitz determinant as a polynomial in U, isolated in exact arithmetic, so
@@ -21,11 +28,22 @@ use super::view::View;
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// A case file: `sextic stability --help` shows one
-    #[arg(value_name = "CASE")]
-    case: PathBuf,
+    /// A case file, as `sextic stability --help` shows one, or a Markdown document with a system
+    #[arg(value_name = "CASE|DOC")]
+    input: Option<PathBuf>,
 
-    /// The highest wind speed, in m/s
+    #[command(flatten)]
+    which: Which,
+
+    /// Of a system: the quantity that is followed, with its first and last value
+    #[arg(long, value_name = "NAME=FROM:TO", value_parser = followed, allow_hyphen_values = true)]
+    over: Option<Followed>,
+
+    /// A quantity of a system, and its value; may be given several times
+    #[arg(long, value_name = "NAME=VALUE", value_parser = FixedParser, allow_hyphen_values = true)]
+    set: Vec<Fixed>,
+
+    /// Of a case: the highest wind speed, in m/s
     #[arg(long, value_name = "SPEED", default_value_t = USUAL_HIGHEST, value_parser = speed, allow_hyphen_values = true)]
     to: f64,
 
@@ -45,6 +63,10 @@ Verdicts:
   undecided  none is shown: a real part that is exactly 0 at every speed, which is said, and beside
              which nothing grows; or speeds that lie too close
 
+Of a system --over follows any quantity, angles too, within at most 12,000 parts of its range; what
+these leave open is undecided. The columns are from, to and verdict, which may be neutral as well:
+no real part is above 0, and some are exactly 0.
+
 Columns of --format csv, a row a range of speeds: alpha_deg, from and to with as many decimals as
 are certain, verdict. Between ranges that differ there is a critical speed; --format json has it
 with its error, as an enclosure.
@@ -52,11 +74,56 @@ with its error, as an enclosure.
 Examples:
   sextic speeds case.toml
   sextic speeds case.toml --to 40 --plot speeds.svg
-  sextic speeds case.toml --to 40 --format json | jq '.points[].critical'";
+  sextic speeds case.toml --to 40 --format json | jq '.points[].critical'
+  sextic speeds mine.md --system bridge --set m=2 --over U=0:100";
 
 /// Finds the speeds and writes them.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let (case, table) = match case_and_table(&arguments.case, arguments.view.outputs()) {
+    let input = arguments.input.as_deref();
+    if arguments.over.is_some() || is_document(input, &arguments.which) {
+        return of_system(arguments);
+    }
+    if !arguments.set.is_empty() {
+        return wrong(
+            "a case has its quantities from its file",
+            "`--set` is for the system of a document",
+        );
+    }
+    of_case(arguments, input.unwrap_or(Path::new("")))
+}
+
+/// The critical values of a quantity of a system.
+fn of_system(arguments: &Arguments) -> Outcome {
+    let Some(Followed { name, from, to }) = &arguments.over else {
+        return wrong(
+            "it is not said along which quantity critical values are sought",
+            "`--over U=0:100`",
+        );
+    };
+    let found = || {
+        let document = arguments.input.as_ref().map(|path| path.to_string_lossy());
+        let chosen = arguments.which.choose(document.as_deref())?;
+        let values = numbers(&arguments.set)?;
+        let ranges = chosen.system.critical(&values, name, from, to);
+        Ok(RangesFound {
+            system: chosen.system.evaluator.name.clone(),
+            over: name.clone(),
+            ranges: ranges.map_err(|error| super::system::refuse(&error))?,
+        })
+    };
+    match found() {
+        Err(outcome) => outcome,
+        Ok(found) => arguments.view.show(
+            || Err("ranges of a system are not drawn yet: `--plot` is for cases".to_string()),
+            |_| text::ranges(&found),
+            || csv::ranges(&found.ranges),
+            || json::ranges(&found),
+        ),
+    }
+}
+
+fn of_case(arguments: &Arguments, path: &Path) -> Outcome {
+    let (case, table) = match case_and_table(path, arguments.view.outputs()) {
         Ok(both) => both,
         Err(outcome) => return outcome,
     };
@@ -83,4 +150,28 @@ fn speed(text: &str) -> Result<f64, String> {
         Ok(speed) if speed > 0.0 && speed <= 3e8 => Ok(speed),
         _ => Err("the highest wind speed is a number above 0 and at most 3e8, in m/s".to_string()),
     }
+}
+
+/// A quantity and the ends of its range.
+#[derive(Clone, Debug)]
+struct Followed {
+    name: String,
+    from: Rational,
+    to: Rational,
+}
+
+/// `U=0:100`
+fn followed(text: &str) -> Result<Followed, String> {
+    let form = "write NAME=FROM:TO, such as U=0:100";
+    let (name, range) = text.split_once('=').ok_or(form)?;
+    let (from, to) = range.split_once(':').ok_or(form)?;
+    let number = |text: &str| {
+        let number = number_of(text.trim());
+        number.ok_or_else(|| format!("`{text}` is no decimal number and no fraction: {form}"))
+    };
+    Ok(Followed {
+        name: Name::new(name.trim()).ascii,
+        from: number(from)?,
+        to: number(to)?,
+    })
 }

@@ -1,6 +1,7 @@
 //! `sextic sweep`: a case at all combinations of values of its quantities.
 
 use std::io;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -9,19 +10,24 @@ use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
-use crate::language::diagnostic::{SourceFile, nearest};
-use crate::report::csv::{grid_heading, grid_row};
-use crate::stability::axis::Axis;
+use crate::compile::fixed::Fixed;
+use crate::language::diagnostic::nearest;
+use crate::language::syntax::Name;
+use crate::report::csv::{grid_heading, grid_row, system_heading, system_row};
+use crate::stability::axis::{Axis, spaced};
 use crate::stability::coefficient_table::remarks::remarks;
 use crate::stability::grid::{Grid, Methods, Rows};
+use crate::stability::system::sweep::{Sweep, SweepAxis};
 use crate::stability::variable::Variable;
 
 use super::Outcome;
 use super::case::{case_and_files, refuse, warn};
+use super::generate::FixedParser;
 use super::output::{complain, finish, reason, stream, wrong};
 use super::partial::{Conversion, Left, Partial};
+use super::system::{Which, is_document, numbers};
 
-/// Computes a case at all combinations of values of its quantities
+/// Computes a case, or a system that a document derives, at all combinations of values of its quantities
 ///
 /// Each --vary adds a quantity and its evenly spaced values, the first one changing slowest; the angles are
 /// those of the case unless alpha_deg is varied. Every combination is a row of a table: S_3D by each method
@@ -31,13 +37,20 @@ use super::partial::{Conversion, Left, Partial};
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// A case file: `sextic stability --help` shows one
-    #[arg(value_name = "CASE")]
-    case: PathBuf,
+    /// A case file, as `sextic stability --help` shows one, or a Markdown document with a system
+    #[arg(value_name = "CASE|DOC")]
+    input: Option<PathBuf>,
+
+    #[command(flatten)]
+    which: Which,
 
     /// A quantity, its first and last value and how many there are, or one value; may be given several times
-    #[arg(long, value_name = "NAME=FROM:TO:COUNT", value_parser = axis, allow_hyphen_values = true)]
-    vary: Vec<Axis>,
+    #[arg(long, value_name = "NAME=FROM:TO:COUNT", value_parser = varied, allow_hyphen_values = true)]
+    vary: Vec<Varied>,
+
+    /// A quantity of a system that stays, and its value; may be given several times
+    #[arg(long, value_name = "NAME=VALUE", value_parser = FixedParser, allow_hyphen_values = true)]
+    set: Vec<Fixed>,
 
     /// The methods that are asked
     #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Method::State, Method::Companion, Method::Closed, Method::Uniform])]
@@ -73,7 +86,11 @@ Quantities, as in a case file or in SI units and radians:
   zeta_theta, and zeta for all three; C_D, C_L, C_M, dC_D, dC_L, dC_M (per radian) in place of what
   the table says
 
-Columns, after the quantities and the angle, as far as their methods are asked:
+Quantities of a system are the parameters, angles and values of functions of its document; what is
+not varied is given by --set. Its columns, after the quantities: growth (the largest real part) and
+its error in 1/s, frequency_hz of that mode, and the verdict where the errors decide it.
+
+Columns of a case, after the quantities and the angle, as far as their methods are asked:
   s3d_exact (state matrix), s3d_companion, s3d_closed, s3d_uniform: S_3D; empty where a method does
   not apply, or no digit is certain
   error_exact, error_companion: what is exact is no farther from the number that is printed
@@ -94,6 +111,7 @@ Examples:
   sextic sweep case.toml --vary L_g=0:0.004:200 --vary U=2:40:200 --worst --out sweep.csv
   sextic sweep case.toml --vary alpha_deg=30 --vary U=2:40:39
   sextic sweep case.toml --vary zeta=0:0.02:41 --method state,uniform --out sweep.csv
+  sextic sweep mine.md --system bridge --set m=2 --vary U=2:40:1000 --out map.csv
 
 Exit status:
   0  all rows were computed
@@ -105,17 +123,137 @@ const BLOCK: u64 = 16_384;
 /// The fewest rows between writes, so that all cores have some.
 const FEWEST_ROWS: u64 = 64;
 
-/// So many rows are computed by one core at a time.
-const CHUNK: usize = 8;
-
 /// Whether the user wants to stop.
 static IS_INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
 /// Computes a sweep and writes its rows.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let (case, table, files) = match case_and_files(&arguments.case, arguments.out.as_slice()) {
+    let input = arguments.input.as_deref();
+    match is_document(input, &arguments.which) {
+        true => of_system(arguments),
+        false => of_case(arguments, input.unwrap_or(Path::new(""))),
+    }
+}
+
+/// A system of a document at all points.
+fn of_system(arguments: &Arguments) -> Outcome {
+    let document = arguments.input.as_ref().map(|path| path.to_string_lossy());
+    let chosen = match arguments.which.choose(document.as_deref()) {
+        Ok(chosen) => chosen,
+        Err(outcome) => return outcome,
+    };
+    let values = match numbers(&arguments.set) {
+        Ok(values) => values,
+        Err(outcome) => return outcome,
+    };
+    let axes = arguments.vary.iter().map(|own| {
+        let name = Name::new(&own.name).ascii;
+        let values = spaced(&name, own.from, own.to, own.count)?;
+        Ok(SweepAxis { name, values })
+    });
+    let axes: Vec<SweepAxis> = match axes.collect::<Result<_, String>>() {
+        Ok(axes) => axes,
+        Err(message) => return wrong(&message, FORM),
+    };
+    let sweep = match chosen.system.sweep(&values, axes) {
+        Ok(sweep) => sweep,
+        Err(error) => return super::system::refuse(&error),
+    };
+    let evaluator = &chosen.system.evaluator;
+    let texts = [&*evaluator.hash, &*evaluator.name, &format!("{values:?}")];
+    written(&sweep, arguments, &texts)
+}
+
+fn written(table: &dyn Table, arguments: &Arguments, texts: &[&str]) -> Outcome {
+    match &arguments.out {
+        None => to_output(table),
+        Some(path) => to_file(table, path, &identity(arguments, texts)),
+    }
+}
+
+/// Rows that are computed one after the other, each by its number alone.
+trait Table: Sync {
+    /// How many rows there are.
+    fn count(&self) -> u64;
+    /// How many points it takes to compute one.
+    fn points_in_a_row(&self) -> u64;
+    /// The heading, with the end of the line.
+    fn heading(&self) -> String;
+    /// How many rows one core computes at a time.
+    fn at_once(&self) -> u64;
+    /// Rows with the ends of their lines.
+    fn text(&self, rows: Range<u64>) -> String;
+}
+
+impl Table for Grid<'_> {
+    fn count(&self) -> u64 {
+        self.rows()
+    }
+
+    fn points_in_a_row(&self) -> u64 {
+        Grid::points_in_a_row(self)
+    }
+
+    fn heading(&self) -> String {
+        grid_heading(self)
+    }
+
+    fn at_once(&self) -> u64 {
+        8
+    }
+
+    fn text(&self, rows: Range<u64>) -> String {
+        rows.map(|number| grid_row(self, &self.row(number)))
+            .collect()
+    }
+}
+
+impl Table for Sweep<'_> {
+    fn count(&self) -> u64 {
+        self.len() as u64
+    }
+
+    fn points_in_a_row(&self) -> u64 {
+        1
+    }
+
+    fn heading(&self) -> String {
+        system_heading(self)
+    }
+
+    fn at_once(&self) -> u64 {
+        512
+    }
+
+    fn text(&self, rows: Range<u64>) -> String {
+        let places = rows.start as usize..rows.end as usize;
+        let found = self.rows(places.clone());
+        let rows = places.zip(found);
+        rows.map(|(place, row)| system_row(&self.values(place), &row))
+            .collect()
+    }
+}
+
+/// A case and its table at all points.
+fn of_case(arguments: &Arguments, path: &Path) -> Outcome {
+    if !arguments.set.is_empty() {
+        return wrong(
+            "a case has its quantities from its file",
+            "`--set` is for the system of a document; give one value with `--vary NAME=VALUE`",
+        );
+    }
+    let (case, table, files) = match case_and_files(path, arguments.out.as_slice()) {
         Ok(read) => read,
         Err(outcome) => return outcome,
+    };
+    let axes = match arguments
+        .vary
+        .iter()
+        .map(axis)
+        .collect::<Result<_, String>>()
+    {
+        Ok(axes) => axes,
+        Err(message) => return wrong(&message, FORM),
     };
     warn(&remarks(&table));
     warn(&case.remarks());
@@ -130,19 +268,16 @@ pub fn run(arguments: &Arguments) -> Outcome {
     } else {
         Rows::Points
     };
-    let grid = match Grid::new(&case, &table, arguments.vary.clone(), rows, methods) {
+    let grid = match Grid::new(&case, &table, axes, rows, methods) {
         Ok(grid) => grid,
         Err(error) => return refuse(&error),
     };
-    match &arguments.out {
-        None => to_output(&grid),
-        Some(path) => to_file(&grid, path, &identity(arguments, &files)),
-    }
+    written(&grid, arguments, &[&files[0].text, &files[1].text])
 }
 
-fn to_output(grid: &Grid) -> Outcome {
-    let written = stream(&grid_heading(grid)).and_then(|is_read| match is_read {
-        true => compute(grid, 0, &mut stream),
+fn to_output(table: &dyn Table) -> Outcome {
+    let written = stream(&table.heading()).and_then(|is_read| match is_read {
+        true => compute(table, 0, &mut stream),
         false => Ok(()),
     });
     match written {
@@ -154,7 +289,7 @@ fn to_output(grid: &Grid) -> Outcome {
     }
 }
 
-fn to_file(grid: &Grid, path: &Path, identity: &str) -> Outcome {
+fn to_file(table: &dyn Table, path: &Path, identity: &str) -> Outcome {
     let unwritable = |error: &io::Error, help: &str| {
         let what = format!("`{}` cannot be written: {}", path.display(), reason(error));
         wrong(&what, help)
@@ -163,8 +298,8 @@ fn to_file(grid: &Grid, path: &Path, identity: &str) -> Outcome {
         Ok(conversion) => conversion,
         Err(outcome) => return outcome,
     };
-    let heading = grid_heading(grid);
-    let row = |number| (number < grid.rows()).then(|| grid_row(grid, &grid.row(number)));
+    let heading = table.heading();
+    let row = |number| (number < table.count()).then(|| table.text(number..number + 1));
     let (mut partial, left) = match Partial::open(path, identity, &heading, row) {
         Ok(begun) => begun,
         Err(error) => {
@@ -203,10 +338,10 @@ fn to_file(grid: &Grid, path: &Path, identity: &str) -> Outcome {
             false => Ok(true),
         }
     };
-    let written = compute(grid, done, &mut write).and_then(|()| partial.finish(conversion));
+    let written = compute(table, done, &mut write).and_then(|()| partial.finish(conversion));
     match written {
         Ok(()) => finish(
-            &format!("{}: {} rows\n", path.display(), grid.rows()),
+            &format!("{}: {} rows\n", path.display(), table.count()),
             Outcome::AsExpected,
         ),
         Err(error) if error.kind() == io::ErrorKind::Interrupted => wrong(
@@ -225,11 +360,11 @@ fn to_file(grid: &Grid, path: &Path, identity: &str) -> Outcome {
 
 /// Computes the rows from one on and writes them in order, until there is nobody who reads them.
 fn compute(
-    grid: &Grid,
+    table: &dyn Table,
     from: u64,
     write: &mut dyn FnMut(&str) -> io::Result<bool>,
 ) -> io::Result<()> {
-    let progress = ProgressBar::new(grid.rows())
+    let progress = ProgressBar::new(table.count())
         .with_position(from)
         .with_finish(ProgressFinish::AndClear);
     let style = ProgressStyle::with_template(
@@ -237,17 +372,14 @@ fn compute(
     );
     progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
     progress.reset_eta();
-    let block = (BLOCK / grid.points_in_a_row()).max(FEWEST_ROWS);
+    let block = (BLOCK / table.points_in_a_row()).max(FEWEST_ROWS);
     let mut next = from;
-    while next < grid.rows() {
-        let end = (next + block).min(grid.rows());
-        let rows = (0..(end - next) as usize)
-            .into_par_iter()
-            .with_min_len(CHUNK);
-        let texts = rows.fold(String::new, |text, row| {
-            text + &grid_row(grid, &grid.row(next + row as u64))
-        });
-        for text in texts.collect::<Vec<String>>() {
+    while next < table.count() {
+        let end = (next + block).min(table.count());
+        let parts: Vec<u64> = (next..end).step_by(table.at_once() as usize).collect();
+        let part = |start: u64| table.text(start..(start + table.at_once()).min(end));
+        let texts: Vec<String> = parts.into_par_iter().map(part).collect();
+        for text in texts {
             if !write(&text)? {
                 return Ok(());
             }
@@ -258,19 +390,14 @@ fn compute(
     Ok(())
 }
 
-/// What tells a sweep from others: this version, the case, its table, and what was asked.
-fn identity(arguments: &Arguments, files: &[SourceFile; 2]) -> String {
-    let axes = arguments.vary.iter();
-    let axes: Vec<_> = axes
-        .map(|axis| (axis.variable.name, axis.values()))
-        .collect();
-    let asked = format!("{axes:?} {:?} {}", arguments.method, arguments.worst);
-    let texts = [
-        env!("CARGO_PKG_VERSION"),
-        &files[0].text,
-        &files[1].text,
-        &asked,
-    ];
+/// What tells a sweep from others: this version, the texts that it rests on, and what was asked.
+fn identity(arguments: &Arguments, texts: &[&str]) -> String {
+    let asked = format!(
+        "{:?} {:?} {}",
+        arguments.vary, arguments.method, arguments.worst
+    );
+    let version = env!("CARGO_PKG_VERSION");
+    let texts = texts.iter().copied().chain([version, &asked]);
     let mut hash = Sha256::new();
     for text in texts {
         hash.update(text.len().to_le_bytes());
@@ -310,24 +437,47 @@ fn conversion(path: &Path) -> Result<Option<Conversion>, Outcome> {
     }
 }
 
+/// A quantity and its evenly spaced values, as they are written.
+#[derive(Clone, Debug)]
+struct Varied {
+    name: String,
+    from: f64,
+    to: f64,
+    count: usize,
+}
+
+/// How a quantity is varied.
+const FORM: &str = "write NAME=FROM:TO:COUNT, such as U=2:40:200, or NAME=VALUE";
+
 /// `U=2:40:200`, or `U=9` for one value.
-fn axis(text: &str) -> Result<Axis, String> {
-    let form = "write NAME=FROM:TO:COUNT, such as U=2:40:200, or NAME=VALUE";
-    let (name, values) = text.split_once('=').ok_or(form)?;
-    let variable = Variable::named(name).ok_or_else(|| not_varied(name))?;
+fn varied(text: &str) -> Result<Varied, String> {
+    let (name, values) = text.split_once('=').ok_or(FORM)?;
     let number = |text: &str| -> Result<f64, String> {
         let decimal = text.trim().parse::<f64>();
-        decimal.map_err(|_| format!("`{text}` is no decimal number: {form}"))
+        decimal.map_err(|_| format!("`{text}` is no decimal number: {FORM}"))
     };
-    match *values.split(':').collect::<Vec<_>>().as_slice() {
-        [value] => Axis::new(variable, number(value)?, number(value)?, 1),
+    let (from, to, count) = match *values.split(':').collect::<Vec<_>>().as_slice() {
+        [value] => (number(value)?, number(value)?, 1),
         [from, to, count] => {
             let count = count.trim().parse::<usize>();
-            let count = count.map_err(|_| format!("the count is a whole number: {form}"))?;
-            Axis::new(variable, number(from)?, number(to)?, count)
+            let count = count.map_err(|_| format!("the count is a whole number: {FORM}"))?;
+            (number(from)?, number(to)?, count)
         }
-        _ => Err(form.to_string()),
-    }
+        _ => return Err(FORM.to_string()),
+    };
+    Ok(Varied {
+        name: name.trim().to_string(),
+        from,
+        to,
+        count,
+    })
+}
+
+/// The values of a quantity of a case.
+fn axis(varied: &Varied) -> Result<Axis, String> {
+    let name = &varied.name;
+    let variable = Variable::named(name).ok_or_else(|| not_varied(name))?;
+    Axis::new(variable, varied.from, varied.to, varied.count)
 }
 
 fn not_varied(name: &str) -> String {

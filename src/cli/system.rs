@@ -1,6 +1,7 @@
 //! Systems of documents, for the commands that compute them.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 
 use clap::Args;
 
@@ -118,6 +119,13 @@ pub fn compiled(
         damping: compiled.damping,
         stiffness: compiled.stiffness,
     })
+}
+
+/// Whether a system of a document is meant, and not a case file.
+pub fn is_document(input: Option<&Path>, which: &Which) -> bool {
+    let is_case = input.is_some_and(|path| path.extension().is_some_and(|own| own == "toml"));
+    let is_markdown = input.is_none_or(|path| path.extension().is_some_and(|own| own == "md"));
+    is_markdown || which.system.is_some() && !is_case
 }
 
 /// The numbers by name.

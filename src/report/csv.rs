@@ -1,10 +1,13 @@
 //! Comparisons and grids as tables for spreadsheets and programs.
 
+use std::f64::consts::TAU;
 use std::fmt::Write;
 
 use crate::stability::closed_form::Limitation;
 use crate::stability::comparison::{Comparison, angle};
 use crate::stability::grid::{Grid, GridPoint};
+use crate::stability::system::critical::Ranges;
+use crate::stability::system::sweep::{Sweep, SweepRow};
 use crate::stability::validity::{Form, Validity};
 
 use super::speeds::{SpeedsFound, ends};
@@ -176,4 +179,44 @@ pub fn grid_row(grid: &Grid, point: &GridPoint) -> String {
     row.pop();
     row.push('\n');
     row
+}
+
+/// The heading of the rows of a sweep of a system, with the end of the line.
+pub fn system_heading(sweep: &Sweep<'_>) -> String {
+    let names = sweep.axes().iter().map(|axis| axis.name.as_str());
+    let names: Vec<&str> = names.chain(SYSTEM_COLUMNS).collect();
+    names.join(",") + "\n"
+}
+
+/// What is known of a system at a point: the largest real part and its error in 1/s, the frequency of that
+/// mode in Hz, and whether the system is stable.
+const SYSTEM_COLUMNS: [&str; 4] = ["growth", "error", "frequency_hz", "verdict"];
+
+/// A row of a sweep of a system, with the end of the line, in full precision: cells are empty where the system
+/// has no numbers, and the verdict where the errors do not decide it.
+pub fn system_row(values: &[f64], row: &SweepRow) -> String {
+    let number = |value: &f64| format!("{value:?}");
+    let mut cells: Vec<String> = values.iter().map(number).collect();
+    match &row.growth {
+        Ok(own) => {
+            let numbers = [own.value.re, own.error, own.value.im / TAU];
+            cells.extend(numbers.iter().map(number));
+        }
+        Err(_) => cells.extend([const { String::new() }; 3]),
+    }
+    let verdict = row.verdict.map(|own| own.name().to_string());
+    cells.push(verdict.unwrap_or_default());
+    cells.join(",") + "\n"
+}
+
+/// A row a range of a quantity of a system: its ends, and the verdict that is certain between them.
+pub fn ranges(ranges: &Ranges) -> String {
+    let rows = ranges.ranges.iter().map(|own| {
+        let (from, to, verdict) = (own.from, own.to, own.stability.name());
+        format!("{from:?},{to:?},{verdict}\n")
+    });
+    ["from,to,verdict\n".to_string()]
+        .into_iter()
+        .chain(rows)
+        .collect()
 }

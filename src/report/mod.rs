@@ -23,6 +23,8 @@ pub mod markdown;
 pub mod modes;
 pub mod phrase;
 pub mod premises;
+#[cfg(feature = "stability")]
+pub mod ranges;
 pub mod refusals;
 pub mod residuals;
 #[cfg(feature = "stability")]

@@ -14,12 +14,11 @@ pub struct Axis {
 pub const MOST_VALUES: usize = 1_000_000;
 
 impl Axis {
-    /// `count` values from the first to the last, evenly spaced; those between are rounded to twelve
-    /// digits, so that tables have no long tails.
+    /// Evenly spaced values of a quantity, as [`spaced`] gives them.
     ///
     /// # Errors
     ///
-    /// What is wrong, in words: a value that is not finite, no values or too many, one value from two ends.
+    /// Those of [`spaced`].
     ///
     /// ```
     /// use sextic::stability::axis::Axis;
@@ -30,29 +29,7 @@ impl Axis {
     /// # Ok::<(), String>(())
     /// ```
     pub fn new(variable: Variable, from: f64, to: f64, count: usize) -> Result<Self, String> {
-        let name = variable.name;
-        if !from.is_finite() || !to.is_finite() {
-            return Err(format!("{name} from {from} to {to} is not finite"));
-        }
-        if count == 0 || count > MOST_VALUES {
-            return Err(format!(
-                "{name} has {count} values; 1 to {MOST_VALUES} are possible"
-            ));
-        }
-        if count == 1 && from != to {
-            return Err(format!(
-                "{name} has one value but two ends, {from} and {to}"
-            ));
-        }
-        let value = |place: usize| match place {
-            0 => from,
-            last if last == count - 1 => to,
-            _ => {
-                let share = place as f64 / (count - 1) as f64;
-                rounded(from * (1.0 - share) + to * share)
-            }
-        };
-        let values = (0..count).map(value).collect();
+        let values = spaced(variable.name, from, to, count)?;
         Ok(Axis { variable, values })
     }
 
@@ -65,6 +42,44 @@ impl Axis {
     pub fn values(&self) -> &[f64] {
         &self.values
     }
+}
+
+/// `count` values of a quantity of this name from the first to the last, evenly spaced; those between are
+/// rounded to twelve digits, so that tables have no long tails.
+///
+/// # Errors
+///
+/// What is wrong, in words: a value that is not finite, no values or too many, one value from two ends.
+///
+/// ```
+/// use sextic::stability::axis::spaced;
+///
+/// assert_eq!(spaced("U", 0.0, 0.3, 4)?, [0.0, 0.1, 0.2, 0.3]);
+/// # Ok::<(), String>(())
+/// ```
+pub fn spaced(name: &str, from: f64, to: f64, count: usize) -> Result<Vec<f64>, String> {
+    if !from.is_finite() || !to.is_finite() {
+        return Err(format!("{name} from {from} to {to} is not finite"));
+    }
+    if count == 0 || count > MOST_VALUES {
+        return Err(format!(
+            "{name} has {count} values; 1 to {MOST_VALUES} are possible"
+        ));
+    }
+    if count == 1 && from != to {
+        return Err(format!(
+            "{name} has one value but two ends, {from} and {to}"
+        ));
+    }
+    let value = |place: usize| match place {
+        0 => from,
+        last if last == count - 1 => to,
+        _ => {
+            let share = place as f64 / (count - 1) as f64;
+            rounded(from * (1.0 - share) + to * share)
+        }
+    };
+    Ok((0..count).map(value).collect())
 }
 
 /// A number with twelve digits.

@@ -11,8 +11,9 @@ use sextic_codegen::rounding::Interval;
 
 use crate::algebra::number::{Integer, Rational};
 
+use super::system::System;
 use super::system::error::SystemError;
-use super::system::{Instance, System};
+use super::system::instance::Instance;
 use super::verdict::Verdict;
 
 /// Which numbers of a system the outputs of a closed form stand for.

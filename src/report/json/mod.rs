@@ -12,6 +12,8 @@ mod matching;
 mod modes;
 mod pairs;
 #[cfg(feature = "stability")]
+mod ranges;
+#[cfg(feature = "stability")]
 mod speeds;
 #[cfg(feature = "stability")]
 mod stability;
@@ -30,6 +32,8 @@ pub use evaluation::{evaluation, evaluators};
 pub use matching::matchings;
 #[cfg(feature = "stability")]
 pub use modes::modes;
+#[cfg(feature = "stability")]
+pub use ranges::ranges;
 #[cfg(feature = "stability")]
 pub use speeds::speeds;
 #[cfg(feature = "stability")]

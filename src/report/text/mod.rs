@@ -17,6 +17,8 @@ mod modes;
 mod page;
 mod palette;
 mod prose;
+#[cfg(feature = "stability")]
+mod ranges;
 mod run;
 #[cfg(feature = "stability")]
 mod speeds;
@@ -34,6 +36,8 @@ pub use generation::{difference, generated};
 pub use matching::matching;
 #[cfg(feature = "stability")]
 pub use modes::modes;
+#[cfg(feature = "stability")]
+pub use ranges::ranges;
 #[cfg(feature = "stability")]
 pub use speeds::speeds;
 #[cfg(feature = "stability")]
