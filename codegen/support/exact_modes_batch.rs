@@ -61,12 +61,19 @@ impl Batched for Batch {
         modes: &'a mut Modes<T>,
         mut make: impl FnMut(&'static str, &'a mut T) -> To,
     ) -> Modes<To> {
-        let mut all =
-            |name, [a, b, c]: &'a mut [T; 3]| [make(name, a), make(name, b), make(name, c)];
+        let Modes {
+            real: [a, b, c],
+            frequency: [d, e, f],
+            radius: [g, h, i],
+        } = modes;
         Modes {
-            real: all("real", &mut modes.real),
-            frequency: all("frequency", &mut modes.frequency),
-            radius: all("radius", &mut modes.radius),
+            real: [make("real", a), make("real", b), make("real", c)],
+            frequency: [
+                make("frequency", d),
+                make("frequency", e),
+                make("frequency", f),
+            ],
+            radius: [make("radius", g), make("radius", h), make("radius", i)],
         }
     }
 
