@@ -17,6 +17,8 @@ mod stability;
 #[cfg(feature = "stability")]
 mod sweep;
 #[cfg(feature = "stability")]
+mod systems;
+#[cfg(feature = "stability")]
 mod validity;
 
 use std::path::PathBuf;
