@@ -167,12 +167,20 @@ fn baseline<K: Kernel>(mode: Mode, kernel: K) {
 /// Whether the build has an instruction for a fused multiply-add: without it, that is a call of a slow
 /// routine.
 const FUSES: bool = cfg!(any(
-    all(target_arch = "x86_64", target_feature = "avx2", target_feature = "fma"),
+    all(
+        target_arch = "x86_64",
+        target_feature = "avx2",
+        target_feature = "fma"
+    ),
     target_arch = "aarch64",
 ));
 
 /// The lanes of the build.
-#[cfg(all(target_arch = "x86_64", target_feature = "avx512f", target_feature = "fma"))]
+#[cfg(all(
+    target_arch = "x86_64",
+    target_feature = "avx512f",
+    target_feature = "fma"
+))]
 type Built<const FUSED: bool> = super::octet::Octet<FUSED>;
 #[cfg(all(
     target_arch = "x86_64",
@@ -181,7 +189,11 @@ type Built<const FUSED: bool> = super::octet::Octet<FUSED>;
     not(target_feature = "avx512f"),
 ))]
 type Built<const FUSED: bool> = super::quartet::Quartet<FUSED>;
-#[cfg(not(all(target_arch = "x86_64", target_feature = "avx2", target_feature = "fma")))]
+#[cfg(not(all(
+    target_arch = "x86_64",
+    target_feature = "avx2",
+    target_feature = "fma"
+)))]
 type Built<const FUSED: bool> = super::pair::Pair<FUSED>;
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]

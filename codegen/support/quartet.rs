@@ -116,7 +116,10 @@ fn bits(bits: u64) -> __m256d {
 impl<const FUSED: bool> Comparison for Quartet<FUSED> {
     #[inline(always)]
     fn magnitude(self) -> Self {
-        Quartet(instructions!(_mm256_andnot_pd(_mm256_set1_pd(-0.0), self.0)))
+        Quartet(instructions!(_mm256_andnot_pd(
+            _mm256_set1_pd(-0.0),
+            self.0
+        )))
     }
 
     #[inline(always)]

@@ -33,9 +33,15 @@ const SUPPORT: [(&str, &str); 9] = [
 const EXACT_MODES: [(&str, &str); 5] = [
     ("complex", include_str!("../../support/complex.rs")),
     ("exact_modes", include_str!("../../support/exact_modes.rs")),
-    ("exact_modes_batch", include_str!("../../support/exact_modes_batch.rs")),
+    (
+        "exact_modes_batch",
+        include_str!("../../support/exact_modes_batch.rs"),
+    ),
     ("reference", include_str!("../../support/reference.rs")),
-    ("starting_values", include_str!("../../support/starting_values.rs")),
+    (
+        "starting_values",
+        include_str!("../../support/starting_values.rs"),
+    ),
 ];
 
 /// What [`EXACT_MODES`] iterates, with nothing fixed.
