@@ -137,7 +137,7 @@ pub fn function(evaluator: &Evaluator, parts: &Parts<'_>, comments: &Comments) -
     let item = |name: &str, what: &Quantity| format!("`{name}`: {}.", quantity(what, comments));
     let listed_here = |items: Vec<String>| match comments.shows_fields {
         true => Vec::new(),
-        false => listed(items.into_iter()),
+        false => listed(items),
     };
     let inputs = parts.inputs.iter();
     let inputs = inputs.map(|(name, input)| item(name, &input.quantity));
