@@ -54,7 +54,7 @@ fn determinants() {
     }
     for row in rows(include_str!("../data/algebra/determinants.txt")) {
         let (expected, entries) = row.split_last().unwrap();
-        let entry = |row, column| Fraction::from(entries[3 * row + column].clone());
+        let entry = |row: usize, column: usize| Fraction::from(entries[3 * row + column].clone());
         let found = determinant(&Matrix::from_fn(3, 3, entry), &ring).unwrap();
         assert_eq!(found, expected.clone().into());
     }
