@@ -62,8 +62,6 @@ pub(super) struct Discs {
     pub columns: Vec<Column>,
     /// The radius of each.
     pub radii: Vec<f64>,
-    /// The shape of each, in scaled coordinates.
-    pub shapes: Vec<super::vector::Vector>,
 }
 
 /// Real values and one of each pair; `None` if a complex one has no conjugate beside it.
@@ -87,11 +85,7 @@ pub(super) fn discs(pencil: &Pencil, values: &[Complex<f64>]) -> Option<Discs> {
         .map(|own| shape(pencil, own.value, own.first))
         .collect::<Option<Vec<_>>>()?;
     let radii = radii(pencil, &columns, &shapes)?;
-    Some(Discs {
-        columns,
-        radii,
-        shapes,
-    })
+    Some(Discs { columns, radii })
 }
 
 /// Bounds by approximate vectors.
@@ -311,12 +305,11 @@ impl Discs {
     /// assignment of exact eigenvalues to these values, none farther away than the bound.
     pub fn eigenvalues(&self) -> Vec<Enclosed> {
         let mut all = Vec::with_capacity(2 * self.columns.len());
-        for (place, (column, radius)) in self.columns.iter().zip(&self.radii).enumerate() {
+        for (column, radius) in self.columns.iter().zip(&self.radii) {
             let mut add = |value| {
                 all.push(Enclosed {
                     value,
                     radius: *radius,
-                    place,
                     is_alone: true,
                 });
             };
@@ -335,8 +328,6 @@ pub(super) struct Enclosed {
     pub value: Complex<f64>,
     /// A bound of its error.
     pub radius: f64,
-    /// The place of its vector.
-    pub place: usize,
     /// Whether it is certain to be a simple one: no other exact eigenvalue is within its radius.
     pub is_alone: bool,
 }

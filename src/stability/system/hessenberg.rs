@@ -259,9 +259,7 @@ mod tests {
     fn determinant(size: usize, matrix: &Matrix, value: Complex<f64>) -> Complex<f64> {
         let mut rows = matrix.map(|row| row.map(|own| Complex::new(own, 0.0)));
         let mut product = Complex::ONE;
-        for step in 0..size {
-            rows[step][step] -= value;
-        }
+        (0..size).for_each(|step| rows[step][step] -= value);
         for step in 0..size {
             let pivot = (step..size)
                 .max_by(|a, b| rows[*a][step].norm().total_cmp(&rows[*b][step].norm()))

@@ -8,7 +8,9 @@ use sextic_codegen::evaluator::Circular;
 
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::budget::Budget;
+use crate::algebra::determinant::determinant;
 use crate::algebra::interval::{Interval, Intervals, KnownSign};
+use crate::algebra::matrix::Matrix;
 use crate::algebra::number::Rational;
 use crate::algebra::trigonometric_sum::{TrigonometricSum as Sum, TrigonometricSums};
 use crate::stability::companion::companion_matrix;
@@ -24,7 +26,7 @@ use super::block::{Block, blocks};
 use super::disc::{Enclosed, discs};
 use super::entries::{Entries, Matrices, check};
 use super::error::SystemError;
-use super::hessenberg::{Matrix, eigenvalues};
+use super::hessenberg::{self, eigenvalues};
 use super::parameter::{Parameters, chosen, names};
 use super::pencil::Pencil;
 use super::polynomial::{characteristic_polynomial, taylor};
@@ -248,12 +250,9 @@ impl Instance<'_> {
             });
         }
         let has_mass = |block: &Block| {
-            DIGITS.into_iter().any(|bits| {
-                let intervals = Intervals::new(bits);
-                let polynomial = self.enclosed_polynomial(block, &intervals);
-                let leading = polynomial.and_then(|own| own.last().map(Interval::sign));
-                matches!(leading, Some(KnownSign::Positive | KnownSign::Negative))
-            })
+            DIGITS
+                .into_iter()
+                .any(|bits| self.has_mass(block, &Intervals::new(bits)))
         };
         match self.blocks.iter().all(has_mass) {
             true => Ok(self),
@@ -377,7 +376,6 @@ impl Instance<'_> {
         let enclosed = |(value, radius): (&Complex<f64>, &f64)| Enclosed {
             value: *value,
             radius: *radius,
-            place: 0,
             is_alone: false,
         };
         let mut all: Vec<Enclosed> = values.iter().zip(&errors).map(enclosed).collect();
@@ -586,8 +584,30 @@ impl Instance<'_> {
         Some(matrices)
     }
 
-    fn enclosed_polynomial(&self, block: &Block, intervals: &Intervals) -> Option<Vec<Interval>> {
-        self.scaled_polynomial(block, &self.pencil(Some(block)), intervals)
+    /// Whether the determinant of the mass matrix of a block is told from 0 with so many digits.
+    fn has_mass(&self, block: &Block, intervals: &Intervals) -> bool {
+        let scaled = self.scaled_matrices(block, &self.pencil(Some(block)), intervals);
+        let determinant = scaled.map(|own| {
+            let entry = |row: usize, column: usize| own.at(2, row, column).clone();
+            let Ok(found) = determinant(&Matrix::from_fn(own.size, own.size, entry), intervals);
+            found.sign()
+        });
+        matches!(determinant, Some(KnownSign::Positive | KnownSign::Negative))
+    }
+
+    /// K, C and M of a block in units of its pencil.
+    fn scaled_matrices(
+        &self,
+        block: &Block,
+        pencil: &Pencil,
+        intervals: &Intervals,
+    ) -> Option<Matrices<Interval>> {
+        let matrices = self.enclosed_matrices(intervals)?.block(block);
+        Some(matrices.map(|[power, row, column], own| {
+            let factor = intervals.rational(&factor(pencil, power, row, column));
+            let Ok(scaled) = intervals.product(own, &factor);
+            scaled
+        }))
     }
 
     /// The polynomial of a block in units of its pencil.
@@ -597,14 +617,7 @@ impl Instance<'_> {
         pencil: &Pencil,
         intervals: &Intervals,
     ) -> Option<Vec<Interval>> {
-        let matrices = self.enclosed_matrices(intervals)?.block(block);
-        let scaled = matrices.map(|[power, row, column], own| {
-            let Ok(scaled) = intervals.product(
-                own,
-                &intervals.rational(&factor(pencil, power, row, column)),
-            );
-            scaled
-        });
+        let scaled = self.scaled_matrices(block, pencil, intervals)?;
         let Ok(polynomial) = characteristic_polynomial(&scaled, intervals);
         Some(polynomial)
     }
@@ -644,6 +657,6 @@ fn in_units(own: &Enclosed, unit: f64) -> Eigenvalue {
     }
 }
 
-fn dense(n: usize, matrix: &Matrix) -> DMatrix<f64> {
+fn dense(n: usize, matrix: &hessenberg::Matrix) -> DMatrix<f64> {
     DMatrix::from_fn(2 * n, 2 * n, |row, column| matrix[row][column])
 }

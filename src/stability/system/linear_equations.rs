@@ -52,21 +52,22 @@ impl<T: ComplexField<RealField = f64> + Copy> Factors<T> {
     pub fn solve(&self, right: &[T; MOST]) -> [T; MOST] {
         let mut solution = [T::zero(); MOST];
         for row in 0..self.size {
-            let mut own = right[self.order[row]];
-            for column in 0..row {
-                own -= self.entries[row][column] * solution[column];
-            }
-            solution[row] = own;
+            let known = dot(&self.entries[row][..row], &solution);
+            solution[row] = right[self.order[row]] - known;
         }
         for row in (0..self.size).rev() {
-            let mut own = solution[row];
-            for column in row + 1..self.size {
-                own -= self.entries[row][column] * solution[column];
-            }
-            solution[row] = own / self.entries[row][row];
+            let own = &self.entries[row];
+            let known = dot(&own[row + 1..self.size], &solution[row + 1..]);
+            solution[row] = (solution[row] - known) / own[row];
         }
         solution
     }
+}
+
+/// Σ aᵢ bᵢ over the first of both.
+fn dot<T: ComplexField<RealField = f64> + Copy>(a: &[T], b: &[T]) -> T {
+    let products = a.iter().zip(b).map(|(a, b)| *a * *b);
+    products.fold(T::zero(), |sum, own| sum + own)
 }
 
 /// The inverse of the first `size` rows and columns of a real matrix; `None` if a pivot is 0.
@@ -124,11 +125,9 @@ mod tests {
             for i in 0..size {
                 let sum: Complex<f64> = (0..size).map(|j| complex[i][j] * solution[j]).sum();
                 prop_assert!((sum - right[i]).norm() < 1e-10);
-                for j in 0..size {
-                    let product: f64 = (0..size).map(|k| real[i][k] * inverse[k][j]).sum();
-                    let expected = if i == j { 1.0 } else { 0.0 };
-                    prop_assert!((product - expected).abs() < 1e-10);
-                }
+                let product = |j: usize| -> f64 { (0..size).map(|k| real[i][k] * inverse[k][j]).sum() };
+                let expected = |j: usize| if i == j { 1.0 } else { 0.0 };
+                prop_assert!((0..size).all(|j| (product(j) - expected(j)).abs() < 1e-10));
             }
         }
     }

@@ -22,7 +22,7 @@ use super::pencil::Pencil;
 use super::polynomial::characteristic_polynomial;
 use super::real::Real;
 use super::state::{state_matrix, stiffness_over_mass};
-use super::vector::shape;
+use super::vector::{Vector, shape};
 
 /// 2n at most.
 const MOST: usize = 2 * MOST_COORDINATES;
@@ -140,8 +140,11 @@ fn by_discs(matrices: &Matrices<Jet>, h: f64) -> Motion {
     found.unwrap_or(Motion::Unknown)
 }
 
+/// Eigenvalues and a vector for each.
+type Approximations = (Vec<Complex<f64>>, Vec<Vector>);
+
 /// Eigenvalues and vectors (q, λq).
-fn values(pencil: &Pencil) -> Option<(Vec<Complex<f64>>, Vec<[Complex<f64>; MOST]>)> {
+fn values(pencil: &Pencil) -> Option<Approximations> {
     let n = pencil.size;
     let values = eigenvalues(2 * n, &state_matrix(pencil)?)?[..2 * n].to_vec();
     let vector = |(number, value): (usize, &Complex<f64>)| {
@@ -160,7 +163,7 @@ fn values(pencil: &Pencil) -> Option<(Vec<Complex<f64>>, Vec<[Complex<f64>; MOST
 }
 
 /// Eigenvalues s = λ² of a block without damping, and their vectors.
-fn squares(pencil: &Pencil) -> Option<(Vec<Complex<f64>>, Vec<[Complex<f64>; MOST]>)> {
+fn squares(pencil: &Pencil) -> Option<Approximations> {
     let n = pencil.size;
     let values = eigenvalues(n, &stiffness_over_mass(pencil)?)?[..n].to_vec();
     let vector =
@@ -179,7 +182,7 @@ fn of_pair(
     value: Complex<f64>,
     lambda: Complex<f64>,
     number: usize,
-) -> Option<[Complex<f64>; MOST]> {
+) -> Option<Vector> {
     match value.im {
         im if im < 0.0 => {
             Some(shape(pencil, lambda.conj(), number.saturating_sub(1))?.map(|own| own.conj()))
@@ -262,7 +265,7 @@ fn rounding(summands: usize) -> f64 {
 fn discs(
     linear: &Linear,
     values: &[Complex<f64>],
-    vectors: &[[Complex<f64>; MOST]],
+    vectors: &[Vector],
     h: f64,
 ) -> Option<Vec<Disc>> {
     let size = linear.size;

@@ -26,13 +26,15 @@ pub(super) fn state_matrix(pencil: &Pencil) -> Option<Matrix> {
     let factors = Factors::new(n, mass, 0.0)?;
     let mut matrix = [[0.0; 2 * MOST_COORDINATES]; 2 * MOST_COORDINATES];
     (0..n).for_each(|place| matrix[place][n + place] = 1.0);
-    for column in 0..2 * n {
+    for (power, column) in (0..2).flat_map(|power| (0..n).map(move |column| (power, column))) {
         let right = std::array::from_fn(|row| match row < n {
-            true => -pencil.powers[column / n].centre[row][column % n],
+            true => -pencil.powers[power].centre[row][column],
             false => 0.0,
         });
         let solution = factors.solve(&right);
-        (0..n).for_each(|row| matrix[n + row][column] = solution[row]);
+        for (row, entry) in matrix[n..2 * n].iter_mut().zip(solution) {
+            row[power * n + column] = entry;
+        }
     }
     matrix
         .iter()
