@@ -32,27 +32,36 @@ fn quotient(above: i64, below: i64) -> Rational {
 /// A program of x, y and z whose last three values are its outputs.
 fn drawn(length: usize) -> impl Strategy<Value = Program> {
     let index = any::<prop::sample::Index>;
-    let step = (0..9_u8, index(), index(), (-9..10_i64, 1..4_i64));
+    let step = (0..10_u8, index(), index(), (-9..10_i64, 1..4_i64));
     prop::collection::vec(step, 1..length).prop_map(|steps| {
         let mut program = Program::new(["x", "y", "z"].map(str::to_owned));
         for (kind, first, second, (above, below)) in steps {
             let nodes = nodes(&program);
             let (a, b) = (*first.get(&nodes), *second.get(&nodes));
-            program.push(match kind {
+            let operation = match kind {
                 0 | 1 => Operation::Add(a, b),
                 2 => Operation::Subtract(a, b),
                 3 | 4 => Operation::Multiply(a, b),
                 5 => Operation::Divide(a, b),
                 6 => Operation::Negative(a),
                 7 => Operation::SquareRoot(a),
+                8 => nothing(&mut program, a, b),
                 _ => Operation::Constant(quotient(above, below)),
-            });
+            };
+            program.push(operation);
         }
         for (place, node) in nodes(&program).iter().rev().take(3).enumerate() {
             program.output(format!("o_{place}"), *node);
         }
         program
     })
+}
+
+/// a/b·b − a, which is 0 up to rounding.
+fn nothing(program: &mut Program, a: Node, b: Node) -> Operation {
+    let quotient = program.push(Operation::Divide(a, b));
+    let product = program.push(Operation::Multiply(quotient, b));
+    Operation::Subtract(product, a)
 }
 
 fn nodes(program: &Program) -> Vec<Node> {
