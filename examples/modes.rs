@@ -25,13 +25,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut audit = audit(&SourceFile::new("masses.md", DOCUMENT), &ShippedLibrary)?;
     let stated = audit.systems[0].clone();
     let CompiledSystem {
-        evaluator,
+        specification,
         coordinates,
         damping,
         stiffness,
     } = CompiledSystem::of(&stated, None, &[], &mut audit)?;
     let system = System {
-        evaluator,
+        evaluator: specification.evaluator,
         coordinates,
         damping,
         stiffness,

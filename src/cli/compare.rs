@@ -12,6 +12,7 @@ use crate::language::syntax::{Approximated as Stated, Quantities};
 use crate::report::closeness::FormCompared;
 use crate::report::{json, text};
 use crate::stability::closeness::{Approximated, ClosedForm};
+use crate::stability::system::error::SystemError;
 use crate::verdict::audit::Audit;
 
 use super::Outcome;
@@ -19,7 +20,7 @@ use super::evaluate::failed;
 use super::generate::{differs, mistaken};
 use super::output::{Results, finish, wrong};
 use super::source::{Audited, audit_all};
-use super::system::{compiled, refuse};
+use super::system::{compiled, in_numbers, refuse};
 
 /// Shows how far closed forms are from the eigenvalues of their systems
 ///
@@ -117,7 +118,7 @@ fn compare(
     // The audit refuses what approximates no system.
     let meant = systems.iter().find(|own| own.name == stated.system.value);
     let meant = meant.ok_or(Outcome::WrongInput)?;
-    let system = compiled(meant, stated.place.as_ref(), audit)?;
+    let system = in_numbers(compiled(meant, stated.place.as_ref(), audit)?);
     let approximated = match stated.quantities {
         Quantities::RealParts => Approximated::RealParts,
         Quantities::Eigenvalues => Approximated::Eigenvalues,
@@ -129,7 +130,13 @@ fn compare(
         system: &system,
         domain: &domain,
     };
-    let closeness = compared.closeness(points).map_err(|error| refuse(&error))?;
+    let closeness = compared.closeness(points).map_err(|error| match error {
+        SystemError::Missing { names } => wrong(
+            &format!("{} has no interval for {}", audit.path, names.join(", ")),
+            "state where each quantity lies: `domain m = [1, 50], U = [1, 40]`",
+        ),
+        other => refuse(&other),
+    })?;
     Ok(FormCompared {
         document: audit.path.clone(),
         form: name,

@@ -95,8 +95,9 @@ Names:
 Errors:
   state, companion, exact  what rounding may cost; numbers are shown as far as they are certain
   closed, uniform          also what the formula leaves out; six digits are shown, however far off
-  Both are bounds for the section whose quantities are the doubles nearest to the numbers given. The
-  verdict is for these numbers themselves, by whichever method the modes are found.
+  Both are bounds for the section whose quantities are the doubles nearest to the numbers given, or
+  for a system of a document with the numbers as they are written. The verdict is for these numbers
+  themselves, by whichever method the modes are found.
 
 Shapes (state, companion, exact):
   The entries have an amplitude and a phase in degrees by which they are ahead of the largest, 1.
@@ -145,8 +146,15 @@ fn of_system(arguments: &Arguments) -> Result<ModesFound, Outcome> {
             "`--method state` or `--method companion`; `sextic compare` has its closed forms",
         ));
     }
-    let Chosen { system, shown } = arguments.which.choose(arguments.document.as_deref())?;
-    let values = numbers(&arguments.set)?;
+    if arguments.aerodynamic_stiffness {
+        return Err(wrong(
+            "the stiffness of a system is what its document says",
+            "leave `--aerodynamic-stiffness` away",
+        ));
+    }
+    let values = numbers(&arguments.set, &[])?;
+    let document = arguments.document.as_deref();
+    let Chosen { system, shown } = arguments.which.choose(document, &[&arguments.set])?;
     let instance = system.at(&values).map_err(|error| refuse(&error))?;
     let modes = match arguments.method {
         Method::Companion => by_companion(&instance)?,

@@ -16,7 +16,7 @@ use super::Outcome;
 use super::case::{case_and_table, refuse};
 use super::generate::FixedParser;
 use super::output::wrong;
-use super::system::{Which, is_document, numbers};
+use super::system::{Which, is_document, numbers, with};
 use super::view::View;
 
 /// Finds the critical wind speeds of a case, or critical values of any quantity of a system
@@ -102,8 +102,11 @@ fn of_system(arguments: &Arguments) -> Outcome {
     };
     let found = || {
         let document = arguments.input.as_ref().map(|path| path.to_string_lossy());
-        let chosen = arguments.which.choose(document.as_deref())?;
-        let values = numbers(&arguments.set)?;
+        let values = numbers(&arguments.set, &[name])?;
+        let ends = [from, to].map(|end| with(&arguments.set, name, end));
+        let chosen = arguments
+            .which
+            .choose(document.as_deref(), &[&ends[0], &ends[1]])?;
         let ranges = chosen.system.critical(&values, name, from, to);
         Ok(RangesFound {
             system: chosen.system.evaluator.name.clone(),
@@ -111,10 +114,16 @@ fn of_system(arguments: &Arguments) -> Outcome {
             ranges: ranges.map_err(|error| super::system::refuse(&error))?,
         })
     };
+    if !arguments.view.outputs().is_empty() {
+        return wrong(
+            "ranges of a system are not drawn",
+            "leave `--plot` away: it is for cases",
+        );
+    }
     match found() {
         Err(outcome) => outcome,
         Ok(found) => arguments.view.show(
-            || Err("ranges of a system are not drawn yet: `--plot` is for cases".to_string()),
+            || Ok(String::new()),
             |_| text::ranges(&found),
             || csv::ranges(&found.ranges),
             || json::ranges(&found),

@@ -10,13 +10,14 @@ use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
+use crate::algebra::number::Rational;
 use crate::compile::fixed::Fixed;
 use crate::language::diagnostic::nearest;
 use crate::language::syntax::Name;
 use crate::report::csv::{grid_heading, grid_row, system_heading, system_row};
 use crate::stability::axis::{Axis, spaced};
 use crate::stability::coefficient_table::remarks::remarks;
-use crate::stability::grid::{Grid, Methods, Rows};
+use crate::stability::grid::{Grid, MOST_POINTS, Methods, Rows};
 use crate::stability::system::sweep::{Sweep, SweepAxis};
 use crate::stability::variable::Variable;
 
@@ -25,7 +26,7 @@ use super::case::{case_and_files, refuse, warn};
 use super::generate::FixedParser;
 use super::output::{complain, finish, reason, stream, wrong};
 use super::partial::{Conversion, Left, Partial};
-use super::system::{Which, is_document, numbers};
+use super::system::{Which, is_document, numbers, with};
 
 /// Computes a case, or a system that a document derives, at all combinations of values of its quantities
 ///
@@ -138,12 +139,47 @@ pub fn run(arguments: &Arguments) -> Outcome {
 /// A system of a document at all points.
 fn of_system(arguments: &Arguments) -> Outcome {
     let document = arguments.input.as_ref().map(|path| path.to_string_lossy());
-    let chosen = match arguments.which.choose(document.as_deref()) {
-        Ok(chosen) => chosen,
-        Err(outcome) => return outcome,
+    if arguments.worst {
+        return wrong(
+            "a system has no angles to choose the worst from",
+            "leave `--worst` away: it is for cases",
+        );
+    }
+    let points: Option<u64> = arguments
+        .vary
+        .iter()
+        .try_fold(1_u64, |points, own| points.checked_mul(own.count as u64));
+    if points.is_none_or(|points| points > MOST_POINTS) {
+        let what = format!("the sweep has more than {MOST_POINTS} points");
+        return wrong(&what, "give fewer values");
+    }
+    let found = || {
+        let moving: Vec<String> = arguments
+            .vary
+            .iter()
+            .map(|own| Name::new(&own.name).ascii)
+            .collect();
+        let moving: Vec<&str> = moving.iter().map(String::as_str).collect();
+        let values = numbers(&arguments.set, &moving)?;
+        let ends = [true, false].map(|is_first| {
+            let mut all = arguments.set.clone();
+            for (own, name) in arguments.vary.iter().zip(&moving) {
+                let end = if is_first { own.from } else { own.to };
+                all.extend(
+                    Rational::try_from(end)
+                        .map(|end| with(&[], name, &end))
+                        .unwrap_or_default(),
+                );
+            }
+            all
+        });
+        let chosen = arguments
+            .which
+            .choose(document.as_deref(), &[&ends[0], &ends[1]])?;
+        Ok((values, chosen))
     };
-    let values = match numbers(&arguments.set) {
-        Ok(values) => values,
+    let (values, chosen) = match found() {
+        Ok(found) => found,
         Err(outcome) => return outcome,
     };
     let axes = arguments.vary.iter().map(|own| {

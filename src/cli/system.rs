@@ -36,12 +36,13 @@ pub struct Chosen {
 }
 
 impl Which {
-    /// The system of a document, or of those that come with the command.
+    /// The system of a document, or of those that come with the command; the document must allow the numbers of
+    /// each of some points.
     ///
     /// # Errors
     ///
     /// The outcome, after what is wrong was written.
-    pub fn choose(&self, document: Option<&str>) -> Result<Chosen, Outcome> {
+    pub fn choose(&self, document: Option<&str>, points: &[&[Fixed]]) -> Result<Chosen, Outcome> {
         let paths: Vec<String> = document.map(str::to_string).into_iter().collect();
         let Audited {
             mut audits,
@@ -56,10 +57,13 @@ impl Which {
         if !audit.as_expected() {
             return Err(differs(audit));
         }
-        let system = compiled(&stated, None, audit)?;
+        let compiled = compiled(&stated, None, audit)?;
+        for point in points {
+            admit(&compiled, point, audit)?;
+        }
         let shown = stated.coordinates.iter();
         Ok(Chosen {
-            system,
+            system: in_numbers(compiled),
             shown: shown.map(|name| name.value.unicode.clone()).collect(),
         })
     }
@@ -79,6 +83,8 @@ impl Which {
             None => true,
         };
         let mut meant = all.into_iter().filter(|(_, own)| is_meant(own));
+        let imported = audits.iter().flat_map(|audit| &audit.all_systems);
+        let imported: Vec<&str> = imported.map(|own| own.name.ascii.as_str()).collect();
         match (meant.next(), meant.next(), &self.system) {
             (Some(only), None, _) => Ok(only),
             (Some(first), Some(_), Some(_)) => Ok(first),
@@ -90,6 +96,13 @@ impl Which {
                 &format!("there is no system `{name}`"),
                 name,
                 &names,
+            )),
+            (None, ..) if !imported.is_empty() => Err(wrong(
+                &format!(
+                    "the document imports the system {}, and has none of its own",
+                    imported.join(", ")
+                ),
+                "name the document that states it",
             )),
             (None, ..) => Err(wrong(
                 "the document has no system",
@@ -108,16 +121,32 @@ pub fn compiled(
     stated: &Stated,
     place: Option<&Place>,
     audit: &mut Audit,
-) -> Result<System, Outcome> {
-    let compiled = CompiledSystem::of(stated, place, &[], audit).map_err(|refusal| {
+) -> Result<CompiledSystem, Outcome> {
+    CompiledSystem::of(stated, place, &[], audit).map_err(|refusal| {
         let name = &stated.name.unicode;
         refused(name, &audit.path, &refusal, std::slice::from_ref(audit))
-    })?;
-    Ok(System {
-        evaluator: compiled.evaluator,
+    })
+}
+
+/// A compiled system, for numbers.
+pub fn in_numbers(compiled: CompiledSystem) -> System {
+    System {
+        evaluator: compiled.specification.evaluator,
         coordinates: compiled.coordinates,
         damping: compiled.damping,
         stiffness: compiled.stiffness,
+    }
+}
+
+/// Refuses numbers that the document excludes by a declared sign or an assumption.
+fn admit(compiled: &CompiledSystem, set: &[Fixed], audit: &mut Audit) -> Result<(), Outcome> {
+    let specification = &compiled.specification;
+    // What the system does not rest on is told with the names of what it rests on.
+    let known = set.iter().filter(|own| specification.rests_on(&own.name));
+    let known: Vec<&Fixed> = known.collect();
+    specification.admit(&known, audit).map_err(|refusal| {
+        let name = &specification.evaluator.name;
+        refused(name, &audit.path, &refusal, std::slice::from_ref(audit))
     })
 }
 
@@ -128,19 +157,36 @@ pub fn is_document(input: Option<&Path>, which: &Which) -> bool {
     is_markdown || which.system.is_some() && !is_case
 }
 
-/// The numbers by name.
+/// The numbers by name; others are given in another way.
 ///
 /// # Errors
 ///
-/// The outcome, after it was written that one is set twice.
-pub fn numbers(set: &[Fixed]) -> Result<BTreeMap<String, Rational>, Outcome> {
+/// The outcome, after it was written that one is set twice, or moves.
+pub fn numbers(set: &[Fixed], moving: &[&str]) -> Result<BTreeMap<String, Rational>, Outcome> {
     let mut values = BTreeMap::new();
+    if let Some(both) = set.iter().find(|own| moving.contains(&own.name.as_str())) {
+        let name = &both.name;
+        return Err(wrong(
+            &format!("`{name}` has a value by `--set`, and moves"),
+            "give one of both",
+        ));
+    }
     for Fixed { name, value, .. } in set {
         if values.insert(name.clone(), value.clone()).is_some() {
             return Err(wrong(&format!("`{name}` is set twice"), "set it once"));
         }
     }
     Ok(values)
+}
+
+/// Numbers and one more.
+pub fn with(set: &[Fixed], name: &str, value: &Rational) -> Vec<Fixed> {
+    let more = Fixed {
+        name: name.to_string(),
+        value: value.clone(),
+        text: value.to_string(),
+    };
+    set.iter().cloned().chain([more]).collect()
 }
 
 /// Writes why a system has no numbers.

@@ -1,7 +1,5 @@
 //! The matrices of a system become a program.
 
-use sextic_codegen::evaluator::Evaluator as Emitted;
-
 use crate::language::syntax::{Part, Place};
 use crate::language::system::System;
 use crate::verdict::audit::Audit;
@@ -12,9 +10,9 @@ use super::specification::{Refusal, Specification};
 /// A system whose matrices are a program.
 #[derive(Clone, Debug)]
 pub struct CompiledSystem {
-    /// The program: its outputs are the entries of M, then those of each part of C, then those of each part of
-    /// K, each matrix row by row.
-    pub evaluator: Emitted,
+    /// What is computed: the outputs of its program are the entries of M, then those of each part of C, then
+    /// those of each part of K, each matrix row by row.
+    pub specification: Specification,
     /// The coordinates by name, in order.
     pub coordinates: Vec<String>,
     /// The names of the parts of C; empty where one has none.
@@ -39,7 +37,7 @@ impl CompiledSystem {
         let specification = Specification::of(&system.evaluator(place), audit, fixed)?;
         let coordinates = system.coordinates.iter();
         Ok(CompiledSystem {
-            evaluator: specification.evaluator,
+            specification,
             coordinates: coordinates.map(|name| name.value.ascii.clone()).collect(),
             damping: names(&system.damping),
             stiffness: names(&system.stiffness),

@@ -19,6 +19,8 @@ const DECLARING: [&str; 6] = [
 ];
 /// The words behind which one name stands, perhaps behind a label.
 const NAMING: [&str; 2] = ["substitution", "match"];
+/// The words behind which the name of something stands that is to be compiled.
+const COMPILING: [&str; 2] = ["system", "evaluator"];
 /// The words of statements that declare nothing and assume nothing.
 const SILENT: [&str; 6] = [
     "claim",
@@ -129,7 +131,7 @@ impl Intent {
         match keyword {
             Some("assume") => intent.may_assume = true,
             Some("import") => intent = Intent::anything(),
-            Some("system" | "evaluator") => intent.compiled = words.named(),
+            Some(keyword) if COMPILING.contains(&keyword) => intent.compiled = words.named(),
             Some(keyword) if DECLARING.contains(&keyword) => {
                 intent.declares = words.declared();
                 // The other words are units, but for the argument of a function.
@@ -186,7 +188,13 @@ impl Words<'_> {
     /// The keyword that it begins with, or nearly begins with; what is defined has none.
     fn keyword(&self) -> Option<&'static str> {
         let first = self.text_of(self.tokens.first()?);
-        let known = || DECLARING.into_iter().chain(NAMING).chain(SILENT);
+        let known = || {
+            DECLARING
+                .into_iter()
+                .chain(NAMING)
+                .chain(COMPILING)
+                .chain(SILENT)
+        };
         let all = || known().chain(["assume", "import"]);
         let second = self.tokens.get(1).map(|token| token.kind);
         if matches!(second, Some(TokenKind::Define | TokenKind::Comma)) {

@@ -27,6 +27,16 @@ pub struct ModesFound {
     pub warnings: Vec<String>,
 }
 
+impl ModesFound {
+    /// What becomes of a motion that grows.
+    pub fn growth(&self) -> &'static str {
+        match self.what {
+            "section" => "it gallops",
+            _ => "it grows",
+        }
+    }
+}
+
 /// A mode as a method finds it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModeFound {

@@ -72,10 +72,10 @@ struct Found {
 }
 
 /// Points are drawn on a grid of so many steps an interval, so that they have few digits.
-const STEPS: u64 = 1 << 20;
+const STEPS: u64 = 1000;
 
-/// Of a circle in radians, as exact as a grid of these steps needs.
-const HALF_TURN: (u32, u32) = (355, 113);
+/// Angles lie between this number of thousandths of a radian and its negative: a circle but for a little.
+const HALF_TURN: u32 = 3141;
 
 impl ClosedForm<'_> {
     /// Compares the form with the eigenvalues at so many points of the domain: the same in every run.
@@ -126,7 +126,7 @@ impl ClosedForm<'_> {
             .evaluator
             .angle(name)
             .or(self.system.evaluator.angle(name));
-        let half = Rational::from(HALF_TURN.0) / Rational::from(HALF_TURN.1);
+        let half = Rational::from(HALF_TURN) / Rational::from(1000_u32);
         is_angle.map(|_| Interval {
             from: -half.clone(),
             to: half,

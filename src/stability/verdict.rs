@@ -76,11 +76,12 @@ impl fmt::Display for Verdict {
             Verdict::Stable(Proof::Determinants) => {
                 formatter.write_str("all Hurwitz determinants are above 0, in exact arithmetic")
             }
-            Verdict::Unstable(Proof::Determinants) => formatter
-                .write_str("the Hurwitz determinants show a positive real part, in exact arithmetic"),
-            Verdict::Undecided(Doubt::Neutral) => formatter.write_str(
-                "a motion neither grows nor dies out: its real part is exactly 0, and none is above 0",
+            Verdict::Unstable(Proof::Determinants) => formatter.write_str(
+                "the Hurwitz determinants show a positive real part, in exact arithmetic",
             ),
+            Verdict::Undecided(Doubt::Neutral) => {
+                formatter.write_str("a real part is exactly 0, and none is above 0")
+            }
             Verdict::Undecided(Doubt::Digits(bits)) => write!(
                 formatter,
                 "a Hurwitz determinant is not told from 0 by {bits} binary digits"

@@ -416,8 +416,21 @@ fn nothing_is_hidden_from_a_reader() {
         ),
         (Language::Rust, "multiply_add(b,", "multiply_add::<T>(b,"),
         (Language::Rust, "MatchOutputs {", "Other {"),
-        (Language::Rust, "start += N;", "start += 1;"),
-        (Language::Rust, "load_tail(inputs.b", "load_tail(inputs.a"),
+        (
+            Language::Rust,
+            "make(\"b\", &inputs.b)",
+            "make(\"b\", &inputs.a)",
+        ),
+        (
+            Language::Rust,
+            "make(\"b\", &inputs.b)",
+            "make(\"a\", &inputs.b)",
+        ),
+        (
+            Language::Rust,
+            "batch::run::<Batch>(level,",
+            "batch::run::<Batch>(Level::best(),",
+        ),
     ] {
         let verdict = sample.judged(language, &[(old, new)]);
         assert!(verdict.is_err(), "{language}: {new}");

@@ -175,6 +175,7 @@ fn the_quoted_output_is_that_of_the_command() {
         "stability",
         "speeds",
         "speeds",
+        "speeds",
     ];
     assert_eq!(commands, all);
 }

@@ -252,23 +252,23 @@ fn every_form_says_what_it_says() {
         (r#"import "other.md""#, "import other.md"),
         (
             r#"system (9) section: mass M damping structural = C_s, wind = C_a stiffness K in x, y "two""#,
-            r#"system (9) | section | M | structural = C_s, wind = C_a | K | x y | Some("two")"#,
+            r#"system 9/Some("9")/9 | section | M | structural = C_s, wind = C_a | K | x y | Some("two")"#,
         ),
         (
             "system [a] one: mass m stiffness k + l in x",
-            "system [a] | one | m |  | k + l | x | None",
+            "system a/None/a | one | m |  | k + l | x | None",
         ),
         (
             "system (9) section: equations [F; G] in x, y at rest",
-            "system (9) | section | equations [F; G] | x y | None",
+            r#"system 9/Some("9")/9 | section | equations [F; G] | x y | None"#,
         ),
         (
             "evaluator (21) f: r = a, s = b approximates real parts of section at (x = 1) where a > 0",
-            "evaluator (21) | f | r = a, s = b approximates RealParts of section at a place where a > 0 | None",
+            r#"evaluator 21/Some("21")/21 | f | r = a, s = b approximates RealParts of section at a place where a > 0 | None"#,
         ),
         (
             "evaluator (21) f: e at p approximates eigenvalues of section",
-            "evaluator (21) | f | special e approximates Eigenvalues of section | None",
+            r#"evaluator 21/Some("21")/21 | f | special e approximates Eigenvalues of section | None"#,
         ),
         (
             r#"parameter m : kg/m > 0 "mass per unit length""#,

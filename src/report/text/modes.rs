@@ -74,7 +74,7 @@ fn frequency(mode: &ModeFound, found: &ModesFound) -> String {
     match (mode.value.im == 0.0, grows, found.diverges) {
         (true, false, _) => "no oscillation".to_string(),
         (true, true, true) => "no oscillation: it diverges".to_string(),
-        (true, true, false) => "no oscillation: it grows".to_string(),
+        (true, true, false) => format!("no oscillation: {}", found.growth()),
         _ => {
             let value = mode.value.im / TAU;
             let error = mode.error.map(|error| error / TAU);
@@ -178,7 +178,7 @@ mod tests {
         );
         assert_eq!(
             ends(&page(0.03, false)),
-            ["0.33 Hz", "no oscillation", "no oscillation: it grows"]
+            ["0.33 Hz", "no oscillation", "no oscillation: it gallops"]
         );
     }
 

@@ -11,7 +11,7 @@ pub fn ranges(found: &RangesFound) -> String {
     let (name, own) = (&found.over, &found.ranges);
     let mut text = format!("{} along {name}\n", found.system);
     for range in &own.ranges {
-        let [from, to] = [range.from, range.to].map(|end| decimal(end, MOST_DECIMALS));
+        let [from, to] = [range.from, range.to].map(short);
         text += &format!("  {name} from {from} to {to}: {}\n", range.stability.name());
     }
     for value in &own.critical {
@@ -27,4 +27,19 @@ pub fn ranges(found: &RangesFound) -> String {
         text += "Nothing changes for certain between the ends\n";
     }
     text
+}
+
+/// A number without zeros at its end.
+fn short(number: f64) -> String {
+    if number.abs() >= 1e15 {
+        return format!("{number:e}");
+    }
+    let digits = decimal(number, MOST_DECIMALS);
+    match digits.contains('.') && !digits.contains('e') {
+        true => digits
+            .trim_end_matches('0')
+            .trim_end_matches('.')
+            .to_string(),
+        false => digits,
+    }
 }

@@ -58,7 +58,7 @@ fn at_angles(run: &[(f64, Speeds)], highest: f64) -> String {
         words.push("stable at every speed".into());
     }
     if speeds.is_neutral {
-        words.push("a motion neither grows nor dies out, exactly".into());
+        words.push("a real part is 0 at every speed, exactly".into());
     }
     words.join("; ")
 }

@@ -47,9 +47,9 @@ impl Real {
         (self.centre.abs() + self.radius) * ABOVE
     }
 
-    /// Its product with a power of 2, which rounds nothing but what becomes subnormal.
+    /// Its product with a power of 2, or with the negative of one, which rounds nothing but what becomes subnormal.
     pub fn scaled(self, power: f64) -> Self {
-        let (centre, radius) = (self.centre * power, self.radius * power);
+        let (centre, radius) = (self.centre * power, self.radius * power.abs());
         let lost = match centre.is_normal() || self.centre == 0.0 {
             true => 0.0,
             false => f64::MIN_POSITIVE,
@@ -163,6 +163,7 @@ mod tests {
             prop_assert!(holds(a - b, &(&x - &y)));
             prop_assert!(holds(a * b, &(&x * &y)));
             prop_assert!(holds(a.scaled(0.25), &(&x / Rational::from(4))));
+            prop_assert!(holds(a.scaled(-2.0), &(&x * Rational::from(-2))));
             if let Some(quotient) = a.quotient(b) {
                 prop_assert!(!y.is_zero() && holds(quotient, &(&x / &y)));
             } else {

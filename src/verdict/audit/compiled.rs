@@ -1,9 +1,10 @@
 //! What a document wants compiled: systems, and evaluators.
 
 use crate::language::diagnostic::{Diagnostic, DiagnosticKind, nearest};
-use crate::language::evaluator::Evaluator;
+use crate::language::evaluator::{Evaluator, Output};
 use crate::language::syntax::{Approximated, Name, Quantities, Span, Statement};
 use crate::language::system::System;
+use crate::language::unit::Unit;
 
 use super::reader::{Read, Reader};
 
@@ -79,13 +80,32 @@ impl Reader<'_> {
         };
         let mut found = 0;
         for output in &evaluator.outputs {
-            found += self.elaborator.value(&output.expression)?.entries().len();
+            let value = self.elaborator.value(&output.expression)?;
+            found += value.entries().len();
+            let mut units = value
+                .entries()
+                .iter()
+                .filter_map(|entry| entry.unit.as_ref());
+            if let Some(unit) = units.find(|unit| **unit != Unit::second().inverse()) {
+                return Err(no_rate(output, unit));
+            }
         }
         match found == wanted {
             true => Ok(()),
             false => Err(outputs_do_not_fit(evaluator, approximated, found, wanted)),
         }
     }
+}
+
+fn no_rate(output: &Output, unit: &Unit) -> Diagnostic {
+    let message = format!("eigenvalues are in 1/s, and `{}` is in {unit}", output.name);
+    Diagnostic::new(
+        DiagnosticKind::Unit,
+        output.expression.span.clone(),
+        message,
+    )
+    .with_label("of another unit")
+    .with_help("a real part is a rate of growth: the damping −c of a mass m has −c/(2*m)")
 }
 
 fn outputs_do_not_fit(
