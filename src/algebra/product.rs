@@ -234,11 +234,14 @@ fn collect<K: Key, C: Coefficient>(
     Ok(Polynomial::from_sorted(terms))
 }
 
+/// The terms of a polynomial in a representation.
+type Encoded<K, C> = Vec<(K, C)>;
+
 /// The factors of a product in the given representation: first the shorter one, which has the sign.
 fn factors<K: Key, C: Coefficient>(
     product: &SignedProduct<&Polynomial, &Polynomial>,
     layout: &Layout,
-) -> (Vec<(K, C)>, Vec<(K, C)>) {
+) -> (Encoded<K, C>, Encoded<K, C>) {
     let (mut few, mut many) = (
         encode::<K, C>(product.left, layout),
         encode(product.right, layout),

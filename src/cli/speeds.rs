@@ -58,8 +58,9 @@ const EXAMPLES: &str = "\
 Verdicts:
   stable     every eigenvalue has a negative real part, at all speeds of the range
   unstable   one has a positive real part, at all speeds of the range
-  divergent  the stiffness of the turn is below 0: with aerodynamic stiffness the wind turns the
-             section over, without any oscillation, and whether it gallops beside that or not
+  divergent  of a case: the stiffness of the turn is below 0: with aerodynamic stiffness the wind
+             turns the section over, without any oscillation, and whether it gallops beside that or
+             not; of a system: a real eigenvalue is above 0
   undecided  none is shown: a real part that is exactly 0 at every speed, which is said, and beside
              which nothing grows; or speeds that lie too close
 
