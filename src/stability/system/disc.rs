@@ -196,7 +196,8 @@ fn bounds(n: usize, columns: &[Column], parts: &Parts) -> Option<Vec<f64>> {
                     rounding(2 * n + 2) * (a * sum_v[k] + b * sum_u[k]) + b * parts.inertia[k];
                 f.lost += rounding(n + 1) * b * sum_s[k] + a * parts.above[k] + b * parts.below[k];
             }
-            e.lost += 4.0 * f64::EPSILON + UNDERFLOW;
+            // The 1 on the diagonal takes part in the last sum of so many products.
+            e.lost += rounding(2 * n + 2) + UNDERFLOW;
             f.lost += UNDERFLOW;
         }
         let [e, f] = [e, f].map(|own| own.size(column, columns));
