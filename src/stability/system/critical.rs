@@ -126,7 +126,11 @@ impl System {
     ///     stiffness: vec![String::new()],
     /// };
     /// let values = BTreeMap::from([("k".to_string(), Rational::from(9))]);
-    /// let found = system.critical(&values, "c", &Rational::from(1), &Rational::from(-2))?;
+    /// let found = system.critical(&values, "c", &Rational::from(-2), &Rational::from(1))?;
+    /// let kinds: Vec<Stability> = found.ranges.iter().map(|own| own.stability).collect();
+    /// assert_eq!(kinds, [Stability::Unstable, Stability::Stable]);
+    /// let critical = &found.critical[0];
+    /// assert!(critical.value.abs() <= critical.error && critical.error < 1e-8);
     /// # Ok::<(), sextic::stability::system::error::SystemError>(())
     /// ```
     pub fn critical(
