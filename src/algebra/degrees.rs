@@ -52,11 +52,16 @@ impl Degrees {
         &mut self.by_index[index]
     }
 
+    /// No more symbols than this have a positive degree.
+    pub(super) fn len(&self) -> usize {
+        self.by_index.len()
+    }
+
     /// The symbols of positive degree, in increasing order, with their degrees.
     pub(super) fn iter(&self) -> impl Iterator<Item = (Symbol, u32)> + '_ {
-        let symbols = (0..=u16::MAX).map(Symbol::new);
-        let all = symbols.zip(self.by_index.iter().copied());
-        all.filter(|&(_, degree)| degree != 0)
+        let all = self.by_index.iter().enumerate();
+        let present = all.filter(|&(_, degree)| *degree != 0);
+        present.map(|(index, degree)| (Symbol::new(index as u16), *degree))
     }
 
     /// Makes every degree at least that of the other.

@@ -204,6 +204,16 @@ impl Fraction {
         products: &[SignedProduct<&Self, &Self>],
         budget: &Budget,
     ) -> Result<Option<Self>, AlgebraError> {
+        let is_whole = |fraction: &Self| fraction.denominator.is_one();
+        if products
+            .iter()
+            .all(|product| is_whole(product.left) && is_whole(product.right))
+        {
+            let numerators: SmallVec<[_; 8]> = products.iter().map(numerators).collect();
+            return Ok(Some(
+                Polynomial::sum_of_products(&numerators, budget)?.into(),
+            ));
+        }
         let below = products.iter().map(|product| {
             let below = product.left.denominator.as_constant()?;
             Some(below * product.right.denominator.as_constant()?)
@@ -215,7 +225,7 @@ impl Fraction {
             &multiple / integer_gcd(&multiple, own) * own
         });
         let factors = below.iter().map(|own| &multiple / own);
-        let numerator = scaled_sum(products, &factors.collect::<SmallVec<[_; 8]>>(), budget)?;
+        let numerator = scaled_sum(products, factors, budget)?;
         Fraction::reduced(numerator, Polynomial::constant(multiple), budget).map(Some)
     }
 
@@ -304,29 +314,35 @@ impl Fraction {
     }
 }
 
+/// The product of the numerators of a product.
+fn numerators<'a>(
+    product: &SignedProduct<&'a Fraction, &'a Fraction>,
+) -> SignedProduct<&'a Polynomial, &'a Polynomial> {
+    SignedProduct {
+        is_negative: product.is_negative,
+        left: &product.left.numerator,
+        right: &product.right.numerator,
+    }
+}
+
 /// The sum of the products of numerators, each times a factor.
 fn scaled_sum(
     products: &[SignedProduct<&Fraction, &Fraction>],
-    factors: &[Integer],
+    factors: impl Iterator<Item = Integer>,
     budget: &Budget,
 ) -> Result<Polynomial, Exhausted> {
-    let scaled = products.iter().zip(factors).map(|(product, factor)| {
-        let left = &product.left.numerator;
-        match factor.is_one() {
-            true => Cow::Borrowed(left),
-            false => Cow::Owned(left.scale(factor)),
-        }
-    });
-    let scaled: SmallVec<[_; 8]> = scaled.collect();
-    let products = products
-        .iter()
-        .zip(&scaled)
+    let factors = products.iter().zip(factors);
+    let scaled: SmallVec<[_; 8]> = factors
+        .map(|(product, factor)| product.left.numerator.scale(&factor))
+        .collect();
+    let products = products.iter().zip(&scaled);
+    let products: SmallVec<[_; 8]> = products
         .map(|(product, left)| SignedProduct {
-            is_negative: product.is_negative,
-            left: &**left,
-            right: &product.right.numerator,
-        });
-    Polynomial::sum_of_products(&products.collect::<SmallVec<[_; 8]>>(), budget)
+            left,
+            ..numerators(product)
+        })
+        .collect();
+    Polynomial::sum_of_products(&products, budget)
 }
 
 /// The gcd of two polynomials, where it is not 1; the second one is not zero.

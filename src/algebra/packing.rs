@@ -38,11 +38,15 @@ impl Layout {
     /// spare above every exponent.
     pub(super) fn new(degrees: &Degrees, guard: u32) -> Self {
         let width = |degree: u32| guard + u32::BITS - degree.leading_zeros();
-        let bits = degrees.iter().map(|(_, degree)| width(degree)).sum();
-        let mut fields = Vec::with_capacity(degrees.iter().count());
+        let widths = || {
+            degrees
+                .iter()
+                .map(|(symbol, degree)| (symbol, width(degree)))
+        };
+        let bits = widths().map(|(_, width)| width).sum();
+        let mut fields = Vec::with_capacity(degrees.len());
         let mut shift = bits;
-        for (symbol, degree) in degrees.iter() {
-            let width = width(degree);
+        for (symbol, width) in widths() {
             shift -= width;
             fields.push(Field {
                 symbol,
