@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         coordinates,
         damping,
         stiffness,
-    } = CompiledSystem::of(&stated, None, &[], &mut audit)?;
+    } = CompiledSystem::of(&stated, None, &mut audit)?;
     let system = System {
         evaluator: specification.evaluator,
         coordinates,

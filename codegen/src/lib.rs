@@ -13,4 +13,5 @@ pub mod horner;
 pub mod language;
 pub mod optimiser;
 pub mod program;
+pub mod random;
 pub mod rounding;

@@ -118,7 +118,7 @@ fn compare(
     // The audit refuses what approximates no system.
     let meant = systems.iter().find(|own| own.name == stated.system.value);
     let meant = meant.ok_or(Outcome::WrongInput)?;
-    let system = in_numbers(compiled(meant, stated.place.as_ref(), audit)?);
+    let system = in_numbers(compiled(meant, Some(stated), audit)?);
     let approximated = match stated.quantities {
         Quantities::RealParts => Approximated::RealParts,
         Quantities::Eigenvalues => Approximated::Eigenvalues,

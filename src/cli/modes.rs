@@ -8,7 +8,7 @@ use sextic_codegen::language::literal::Decimal;
 
 use crate::algebra::number::Rational;
 use crate::compile::fixed::Fixed;
-use crate::report::modes::{ModeFound, ModesFound, Moving};
+use crate::report::modes::{ModeFound, ModesFound, Moving, Subject};
 use crate::report::{json, text};
 use crate::stability::closed_form::{ClosedForm, Limitation, closed_form};
 use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
@@ -161,7 +161,7 @@ fn of_system(arguments: &Arguments) -> Result<ModesFound, Outcome> {
         _ => by_state(&instance, &shown, arguments.shapes)?,
     };
     Ok(ModesFound {
-        what: "system",
+        subject: Subject::System,
         method: match arguments.method {
             Method::Companion => "companion",
             _ => "state",
@@ -315,7 +315,7 @@ fn by_form(
         shape: None,
     };
     Ok(ModesFound {
-        what: "section",
+        subject: Subject::Section,
         method,
         is_formula: true,
         modes: pairs.into_iter().map(mode).collect(),
@@ -362,7 +362,7 @@ fn by_spectrum(
         shape: with_shapes.then(|| shape(own.value, place)),
     };
     ModesFound {
-        what: "section",
+        subject: Subject::Section,
         method,
         is_formula: false,
         modes: places.into_iter().map(mode).collect(),

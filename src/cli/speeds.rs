@@ -124,6 +124,7 @@ fn of_system(arguments: &Arguments) -> Outcome {
     match found() {
         Err(outcome) => outcome,
         Ok(found) => arguments.view.show(
+            // No file is asked for: that was refused above.
             || Ok(String::new()),
             |_| text::ranges(&found),
             || csv::ranges(&found.ranges),

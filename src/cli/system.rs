@@ -8,7 +8,7 @@ use clap::Args;
 use crate::algebra::number::Rational;
 use crate::compile::fixed::Fixed;
 use crate::compile::system::CompiledSystem;
-use crate::language::syntax::Place;
+use crate::language::syntax::Approximated;
 use crate::language::system::System as Stated;
 use crate::stability::system::System;
 use crate::stability::system::error::SystemError;
@@ -112,17 +112,17 @@ impl Which {
     }
 }
 
-/// The program of a system, after replacements if there are some.
+/// The program of a system, as an evaluator approximates it if one does.
 ///
 /// # Errors
 ///
 /// The outcome, after what is wrong was written.
 pub fn compiled(
     stated: &Stated,
-    place: Option<&Place>,
+    approximated: Option<&Approximated>,
     audit: &mut Audit,
 ) -> Result<CompiledSystem, Outcome> {
-    CompiledSystem::of(stated, place, &[], audit).map_err(|refusal| {
+    CompiledSystem::of(stated, approximated, audit).map_err(|refusal| {
         let name = &stated.name.unicode;
         refused(name, &audit.path, &refusal, std::slice::from_ref(audit))
     })

@@ -9,6 +9,7 @@ use std::convert::Infallible;
 
 use sextic_codegen::arithmetic::Arithmetic;
 use sextic_codegen::program::Program;
+use sextic_codegen::random;
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::generator::Generator;
@@ -175,10 +176,7 @@ fn circle(symbol: Symbol, ring: &Ring, seed: u64) -> Option<u64> {
 /// An arbitrary but fixed number for each place, by the mixing function of SplitMix64.
 fn mixed(seed: u64, place: usize) -> u64 {
     let number = (seed << 32).wrapping_add(place as u64 + 1);
-    let mut mixed = number.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    mixed = (mixed ^ mixed >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-    (mixed ^ mixed >> 31) % (PRIME - 1) + 1
+    random::mixed(number) % (PRIME - 1) + 1
 }
 
 /// Numbers modulo [`PRIME`]; none where nothing is known.

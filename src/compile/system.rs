@@ -1,10 +1,9 @@
 //! The matrices of a system become a program.
 
-use crate::language::syntax::{Part, Place};
+use crate::language::syntax::{Approximated, Part};
 use crate::language::system::System;
 use crate::verdict::audit::Audit;
 
-use super::fixed::Fixed;
 use super::specification::{Refusal, Specification};
 
 /// A system whose matrices are a program.
@@ -22,19 +21,27 @@ pub struct CompiledSystem {
 }
 
 impl CompiledSystem {
-    /// The program of the matrices of a system of an audited document, after replacements if there are some,
-    /// with some quantities fixed.
+    /// The program of the matrices of a system of an audited document, or of one that it imports and an
+    /// evaluator approximates: then after the replacements that this names.
     ///
     /// # Errors
     ///
     /// [`Refusal`] where no program computes an entry.
     pub fn of(
         system: &System,
-        place: Option<&Place>,
-        fixed: &[Fixed],
+        approximated: Option<&Approximated>,
         audit: &mut Audit,
     ) -> Result<Self, Refusal> {
-        let specification = Specification::of(&system.evaluator(place), audit, fixed)?;
+        let place = approximated.and_then(|own| own.place.as_ref());
+        let specification = Specification::of(&system.evaluator(place), audit, &[]);
+        let specification = specification.map_err(|refusal| match (refusal, approximated) {
+            // The system may stand in another document.
+            (Refusal::Document(mut error), Some(own)) => {
+                error.secondary.clear();
+                Refusal::Document(Box::new(error.moved_to(&own.system.span, "in this system")))
+            }
+            (refusal, _) => refusal,
+        })?;
         let coordinates = system.coordinates.iter();
         Ok(CompiledSystem {
             specification,

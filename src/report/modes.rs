@@ -8,8 +8,8 @@ use crate::stability::verdict::Verdict;
 /// What a method says of a section or a system.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModesFound {
-    /// What has the modes: `section`, or `system`.
-    pub what: &'static str,
+    /// What has the modes.
+    pub subject: Subject,
     /// The method that found them: `closed`, `uniform`, `exact`, `companion`, `state`.
     pub method: &'static str,
     /// Whether eigenvalues are those of a formula, and their errors what it leaves out; else they are exact
@@ -27,12 +27,29 @@ pub struct ModesFound {
     pub warnings: Vec<String>,
 }
 
-impl ModesFound {
-    /// What becomes of a motion that grows.
-    pub fn growth(&self) -> &'static str {
-        match self.what {
-            "section" => "it gallops",
-            _ => "it grows",
+/// What modes are found of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// A section in the wind.
+    Section,
+    /// A system that a document derives.
+    System,
+}
+
+impl Subject {
+    /// What it is called.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Subject::Section => "section",
+            Subject::System => "system",
+        }
+    }
+
+    /// What is said of a motion that grows.
+    pub const fn growth(self) -> &'static str {
+        match self {
+            Subject::Section => "it gallops",
+            Subject::System => "it grows",
         }
     }
 }

@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use sextic_codegen::arithmetic::doubles::evaluate_at;
 use sextic_codegen::evaluator::Evaluator;
 use sextic_codegen::language::literal::Decimal;
+use sextic_codegen::random::mixed;
 use sextic_codegen::rounding::Interval;
 
 use crate::algebra::number::{Integer, Rational};
@@ -136,7 +137,7 @@ impl ClosedForm<'_> {
     fn point(&self, names: &[String], number: u64) -> Point {
         let place = |(column, name): (usize, &String)| {
             let Interval { from, to } = self.interval(name)?;
-            let step = mixed(number * names.len() as u64 + column as u64) % (STEPS + 1);
+            let step = mixed(number * names.len() as u64 + column as u64 + 1) % (STEPS + 1);
             let share = Rational::from(Integer::from(step)) / Rational::from(Integer::from(STEPS));
             Some((name.clone(), &from + (to - &from) * share))
         };
@@ -255,12 +256,4 @@ impl Closeness {
             .get((share * last as f64).ceil() as usize)
             .copied()
     }
-}
-
-/// An arbitrary but fixed number for each place, by the mixing function of SplitMix64.
-fn mixed(place: u64) -> u64 {
-    let mut mixed = place.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    mixed = (mixed ^ mixed >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-    mixed ^ mixed >> 31
 }

@@ -346,3 +346,31 @@ fn closed_forms_are_compared_with_their_systems() {
         }
     });
 }
+
+#[test]
+fn a_form_that_is_exact_is_told_from_one_that_is_wrong() {
+    let found = json(&[
+        "compare",
+        "tests/data/systems/eigenvalues.md",
+        "--points",
+        "50",
+    ]);
+    let [known, wrong] = [0, 1].map(|place| &found["forms"][place]);
+    assert_eq!(known["approximates"], "eigenvalues");
+    assert!(known["errors"]["largest"].as_f64() < Some(1e-14), "{known}");
+    assert_eq!(
+        (&known["decided"], &known["wrong_signs"]),
+        (&50.into(), &0.into())
+    );
+    // The real part is that of the system, but for its sign.
+    assert_eq!(wrong["errors"]["median"], 2.0, "{wrong}");
+    assert_eq!(wrong["wrong_signs"], 50);
+    assert!(wrong["first_wrong"].is_object());
+}
+
+#[test]
+fn what_is_wrong_with_an_imported_system_is_told_where_it_is_asked_for() {
+    let (status, out, err) = run(&["compare", "tests/data/systems/importing.md"]);
+    assert_eq!((status, out.as_str()), (Some(2), ""));
+    assert!(err.contains("importing.md:5:61"), "{err}");
+}

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use crate::evaluator::{Angle, Evaluator, Function, Origin};
 use crate::language::literal::Decimal;
 use crate::program::Rational;
+use crate::random::scrambled;
 
 /// Where one input is drawn from.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -184,10 +185,4 @@ impl Random {
             }
         }
     }
-}
-
-fn scrambled(mut bits: u64) -> u64 {
-    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    bits ^ (bits >> 31)
 }

@@ -61,7 +61,11 @@ pub fn modes(found: &ModesFound) -> String {
         text += &format!("S_3D = {number}{within}{meaning}\n");
     }
     let verdict = found.verdict;
-    text += &format!("The {} is {}: {verdict}\n", found.what, verdict.name());
+    text += &format!(
+        "The {} is {}: {verdict}\n",
+        found.subject.name(),
+        verdict.name()
+    );
     for warning in &found.warnings {
         text += &format!("Warning: {warning}\n");
     }
@@ -74,7 +78,7 @@ fn frequency(mode: &ModeFound, found: &ModesFound) -> String {
     match (mode.value.im == 0.0, grows, found.diverges) {
         (true, false, _) => "no oscillation".to_string(),
         (true, true, true) => "no oscillation: it diverges".to_string(),
-        (true, true, false) => format!("no oscillation: {}", found.growth()),
+        (true, true, false) => format!("no oscillation: {}", found.subject.growth()),
         _ => {
             let value = mode.value.im / TAU;
             let error = mode.error.map(|error| error / TAU);
@@ -144,6 +148,7 @@ mod tests {
     use super::*;
     use num_complex::Complex;
 
+    use crate::report::modes::Subject;
     use crate::stability::verdict::{Proof, Verdict};
 
     fn page(error: f64, diverges: bool) -> String {
@@ -153,7 +158,7 @@ mod tests {
             shape: None,
         };
         modes(&ModesFound {
-            what: "section",
+            subject: Subject::Section,
             method: "state",
             is_formula: false,
             modes: vec![mode(-1.0, TAU / 3.0), mode(0.02, 0.0), mode(0.04, 0.0)],
