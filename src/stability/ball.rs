@@ -1,11 +1,9 @@
 //! Complex numbers with a bound of their error.
 
-use std::convert::Infallible;
 use std::ops::{Add, Mul};
 
 use num_complex::Complex;
-
-use crate::algebra::arithmetic::Arithmetic;
+use sextic_evaluators::bounded::Bounded;
 
 /// More than the rounding error of a complex product by the product of the absolute values,
 /// and than that of a sum by its absolute value; half of it is needed.
@@ -82,9 +80,16 @@ impl Ball {
     }
 }
 
+impl From<Bounded> for Ball {
+    /// Infinite where nothing is known.
+    fn from(own: Bounded) -> Self {
+        Ball::real(own.value, own.error)
+    }
+}
+
 /// cos and sin of a sum of angles: what rounding takes from the sum moves them by as much, and each is right to a unit
 /// in the last place for the sum that is taken.
-pub(super) fn cosine_and_sine(angles: &[f64]) -> [Ball; 2] {
+pub(super) fn cosine_and_sine(angles: &[f64]) -> [Bounded; 2] {
     let (mut sum, mut lost) = (0.0_f64, 0.0);
     for angle in angles {
         let next = sum + angle;
@@ -95,62 +100,19 @@ pub(super) fn cosine_and_sine(angles: &[f64]) -> [Ball; 2] {
         sum = next;
     }
     if sum == 0.0 && lost == 0.0 {
-        return [Ball::ONE, Ball::ZERO];
+        return [1.0, 0.0].map(Bounded::exact);
     }
-    [sum.cos(), sum.sin()].map(|own| {
-        let own_error = f64::EPSILON * own.abs() + f64::MIN_POSITIVE;
-        Ball::real(own, (own_error + lost) * ABOVE)
+    [sum.cos(), sum.sin()].map(|value| {
+        let own = f64::EPSILON * value.abs() + f64::MIN_POSITIVE;
+        let error = (own + lost) * ABOVE;
+        Bounded { value, error }
     })
-}
-
-/// A number that is rounded: right to a unit in the last place.
-pub(super) fn rounded(value: f64) -> Ball {
-    Ball::real(value, f64::EPSILON * value.abs())
-}
-
-/// A quotient of two numbers, which may underflow.
-pub(super) fn quotient(above: f64, below: f64) -> Ball {
-    let value = above / below;
-    Ball::real(value, f64::EPSILON * value.abs() + f64::MIN_POSITIVE)
 }
 
 /// |re| + |im|, which is not below the absolute value, nor much above it: most numbers here are nearly real
 /// or imaginary, and the exact value would cost most of the time.
 fn above_norm(number: Complex<f64>) -> f64 {
     number.re.abs() + number.im.abs()
-}
-
-/// The arithmetic of balls, in which nothing is told from 0 that may be something else.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Balls;
-
-impl Arithmetic for Balls {
-    type Element = Ball;
-    type Error = Infallible;
-
-    fn zero(&self) -> Ball {
-        Ball::ZERO
-    }
-
-    fn one(&self) -> Ball {
-        Ball::ONE
-    }
-
-    fn is_zero(&self, a: &Ball) -> bool {
-        *a == Ball::ZERO
-    }
-
-    fn sum(&self, a: &Ball, b: &Ball) -> Result<Ball, Infallible> {
-        Ok(*a + *b)
-    }
-
-    fn negative(&self, a: &Ball) -> Ball {
-        -*a
-    }
-
-    fn product(&self, a: &Ball, b: &Ball) -> Result<Ball, Infallible> {
-        Ok(*a * *b)
-    }
 }
 
 impl Add for Ball {
@@ -241,11 +203,10 @@ mod tests {
                 let [low, high] = intervals.bounds(&expected).map(|bound| -> Rational {
                     bound.to_string().parse().expect("a number")
                 });
-                let (centre, radius) = (exact(ball.centre.re), exact(ball.radius));
+                let (centre, radius) = (exact(ball.value), exact(ball.error));
                 prop_assert!(low <= &centre + &radius && &centre - &radius <= high, "{ball:?} {angles:?}");
-                prop_assert_eq!(ball.centre.im, 0.0);
                 let size: f64 = angles.iter().map(|own| own.abs()).sum();
-                prop_assert!(ball.radius <= 1e-15 * (1.0 + size));
+                prop_assert!(ball.error <= 1e-15 * (1.0 + size));
             }
         }
     }

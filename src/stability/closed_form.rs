@@ -4,6 +4,7 @@ use std::fmt;
 
 use num_complex::Complex;
 use sextic_evaluators::closed_form::{ClosedFormAngles, ClosedFormInputs};
+use sextic_evaluators::no_wind_modes::{NoWindModesAngles, NoWindModesInputs, no_wind_modes};
 
 use super::section::Section;
 
@@ -164,8 +165,7 @@ impl Estimate {
     }
 }
 
-/// The closed forms for a section: the real parts of Eqs. (21)–(23) with the frequencies of Eq. (15),
-/// ω_k² = ω_n² r/(r − L_g), ω_n², ω_n² r/(r + L_g).
+/// The closed forms for a section: the real parts of Eqs. (21)–(23) with the frequencies of Eq. (15).
 ///
 /// # Errors
 ///
@@ -182,11 +182,17 @@ pub fn closed_form(section: &Section) -> Result<ClosedForm, Limitation> {
         return Err(Limitation::NotTuned);
     }
     let parts = sextic_evaluators::closed_form::closed_form(&inputs(section));
-    let e = section.eccentricity();
+    let squares = no_wind_modes(&NoWindModesInputs::from(&NoWindModesAngles {
+        r: p.radius_of_gyration,
+        L_g: p.mass_centre_distance,
+        alpha_g: p.mass_centre_angle,
+        theta_0: p.attitude,
+        omega_n,
+    }));
     let eigenvalues = [
-        Complex::new(parts.lamda_R1, omega_n / (1.0 - e).sqrt()),
-        Complex::new(parts.lamda_R2, omega_n),
-        Complex::new(parts.lamda_R3, omega_n / (1.0 + e).sqrt()),
+        Complex::new(parts.lamda_R1, squares.Omega_1.sqrt()),
+        Complex::new(parts.lamda_R2, squares.Omega_2.sqrt()),
+        Complex::new(parts.lamda_R3, squares.Omega_3.sqrt()),
     ];
     Ok(ClosedForm {
         eigenvalues,

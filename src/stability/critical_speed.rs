@@ -2,19 +2,21 @@
 
 use rayon::prelude::*;
 
-use crate::algebra::budget::{Budget, Exhausted};
+use crate::algebra::budget::Budget;
 use crate::algebra::interval::Intervals;
 use crate::algebra::number::Rational;
-use crate::algebra::trigonometric_sum::{TrigonometricSum, TrigonometricSums};
+use crate::algebra::trigonometric_sum::TrigonometricSums;
 
 use super::case::Case;
 use super::coefficient_table::CoefficientTable;
 use super::comparison::section_at;
-use super::exact_section::{ExactSection, InSpeed};
+use super::exact_section::ExactSection;
+use super::in_speed::InSpeed;
 use super::input::InputError;
 use super::interpolation::CoefficientCurves;
 use super::neutral::without_pairs;
 use super::speed_search::{Found, LOWEST, Part, parts};
+use super::system::arithmetic::NoValue;
 
 /// What is certain of a section at all wind speeds of a range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -240,13 +242,10 @@ fn without_neutral_pairs(
     polynomial: Vec<InSpeed>,
     unit: &Rational,
     sums: &TrigonometricSums,
-) -> Result<(Vec<InSpeed>, bool), Exhausted> {
+) -> Result<(Vec<InSpeed>, bool), NoValue> {
     let is_undamped = polynomial.iter().skip(1).step_by(2).all(Vec::is_empty);
     let is_still = is_undamped && polynomial.iter().all(|powers| powers.len() <= 1);
-    let constant = |square: Rational| vec![TrigonometricSum::from(square)];
-    let squares = section.natural_squares().into_iter().map(constant);
-    let turn = section.square_of_the_turn(unit, sums)?;
-    let squares: Vec<InSpeed> = squares.chain(turn).collect();
+    let squares = section.likely_squares(unit, sums)?;
     let (polynomial, count) = without_pairs(polynomial, &squares, sums)?;
     Ok((polynomial, is_still || count > 0))
 }

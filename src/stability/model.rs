@@ -1,26 +1,15 @@
-//! The equations of motion of a section, M q̈ + (C_s + C_a) q̇ + (K + K_a) q = 0, Eqs. (9), (10) and (12).
+//! The equations of motion of a section in doubles, with bounds of all rounding.
 
 use nalgebra::{DMatrix, Matrix3};
+use sextic_evaluators::bounded::Bounded;
 
-use super::ball::{Ball, cosine_and_sine, quotient, rounded};
+use super::ball::{Ball, cosine_and_sine};
 use super::coordinate::Coordinate;
+use super::equations::{Given, Matrix};
 use super::error::StabilityError;
 use super::section::Section;
 
 /// The matrices of a section for its free coordinates.
-///
-/// He & Macdonald (2017), Eqs. (9), (12) and (17), with φ = α_g + θ_0 and S_a of Eq. (18):
-///
-/// ```text
-/// M   = m [1, 0, L_g sin φ;  0, 1, L_g cos φ;  L_g sin φ, L_g cos φ, r²]
-/// C_s = diagonal(2 m ω_x ζ_x, 2 m ω_y ζ_y, 2 m r² ω_θ ζ_θ)
-/// C_a = ρ D U/2 · diagonal(1, 1, r) S_a diagonal(1, 1, r)
-/// K   = diagonal(m ω_x², m ω_y², m r² ω_θ²)
-/// K_a = −ρ D U²/2 [0, 0, C_D′ c − C_L′ s;  0, 0, C_D′ s + C_L′ c;  0, 0, D C_M′]
-/// ```
-///
-/// K_a, with c = cos α_0 and s = sin α_0, is the aerodynamic stiffness of `derivations/extensions.md`,
-/// section 3: 0 unless the parameters ask for it, since the paper leaves it out.
 ///
 /// Rows and columns of coordinates that are held are left out: with n free coordinates the matrices
 /// are n×n. Inside, rθ stands in place of θ, all is divided by m, and time is counted in units of a power
@@ -32,15 +21,12 @@ pub struct Model {
     pub(super) frequency_unit: f64,
     /// iω of the free coordinates, scaled.
     frequencies: [Ball; 3],
-    pub(super) mass: Matrix,
-    structural_damping: Matrix,
-    aerodynamic_damping: Matrix,
-    stiffness: Matrix,
-    aerodynamic_stiffness: Matrix,
+    pub(super) mass: Matrix<Ball>,
+    structural_damping: Matrix<Ball>,
+    aerodynamic_damping: Matrix<Ball>,
+    stiffness: Matrix<Ball>,
+    aerodynamic_stiffness: Matrix<Ball>,
 }
-
-/// A matrix for up to three free coordinates: with n of them only the first n rows and columns count.
-type Matrix = [[Ball; 3]; 3];
 
 impl Model {
     /// The model of a section.
@@ -49,65 +35,28 @@ impl Model {
     ///
     /// [`StabilityError::OutOfRange`] if a matrix overflows.
     pub fn new(section: &Section) -> Result<Self, StabilityError> {
-        let p = section.parameters();
+        let frequencies = section.parameters().natural_frequencies;
         let free = section.free().iter().map(|free| free.index());
-        let largest = free.map(|i| p.natural_frequencies[i]).fold(0.0, f64::max);
+        let largest = free.map(|i| frequencies[i]).fold(0.0, f64::max);
         let unit = largest.log2().floor().exp2();
-        let [omega_x, omega_y, omega_theta] =
-            p.natural_frequencies.map(|omega| rescaled(omega / unit));
-        let omega = [omega_x, omega_y, omega_theta];
-        let e = rounded(section.eccentricity());
-        let [cos, sin] = cosine_and_sine(&[p.attitude, p.mass_centre_angle]).map(|own| e * own);
-        let wind = p.air_density * p.reference_dimension * p.wind_speed / (2.0 * p.mass) / unit;
-        // What is subnormal has lost digits, and what is too large is lost.
-        let products = [
-            2.0 * p.mass,
-            p.air_density * p.reference_dimension,
-            p.air_density * p.reference_dimension * p.wind_speed,
-        ];
-        let is_usual = |product: f64| product.is_normal();
-        if !products[..2].iter().copied().all(is_usual)
-            || !(is_usual(products[2]) || p.wind_speed == 0.0)
-        {
-            return Err(StabilityError::OutOfRange);
-        }
-        let delta = Ball::real(wind, 4.0 * f64::EPSILON * wind + f64::MIN_POSITIVE);
-        let s_a = section.scaled_damping_with_bound();
-        let k_a = section.turn_stiffness_with_bound();
-        // ρDU²/(2mr), for the turn rθ.
-        let pressure = delta * rescaled(p.wind_speed / unit) * quotient(1.0, p.radius_of_gyration);
-
-        let mass = [
-            [Ball::ONE, Ball::ZERO, sin],
-            [Ball::ZERO, Ball::ONE, cos],
-            [sin, cos, Ball::ONE],
-        ];
-        let two = Ball::real(2.0, 0.0);
-        let ratio = |i: usize| Ball::real(p.damping_ratios[i], 0.0);
-        let matrix = |entry: &dyn Fn(usize, usize) -> Ball| -> Matrix {
-            let own = |place: usize| section.free().get(place).map(|free| free.index());
-            let entry = |row, column| match (own(row), own(column)) {
-                (Some(i), Some(j)) => entry(i, j),
-                _ => Ball::ZERO,
-            };
-            std::array::from_fn(|row| std::array::from_fn(|column| entry(row, column)))
-        };
-        let diagonal = |i, j, entry: Ball| if i == j { entry } else { Ball::ZERO };
+        let own = given_with_bounds(section, unit)
+            .equations()
+            .map(|own| Ball::from(*own));
+        let matrix = |own: &Matrix<Ball>| free_entries(own, section.free());
         let model = Model {
             section: *section,
             frequency_unit: unit,
             frequencies: std::array::from_fn(|place| {
-                let own = section.free().get(place);
-                own.map_or(Ball::ZERO, |own| omega[own.index()].turned())
+                let free = section.free().get(place);
+                free.map_or(Ball::ZERO, |free| {
+                    Ball::from(rescaled(frequencies[free.index()] / unit)).turned()
+                })
             }),
-            mass: matrix(&|i, j| mass[i][j]),
-            structural_damping: matrix(&|i, j| diagonal(i, j, two * omega[i] * ratio(i))),
-            aerodynamic_damping: matrix(&|i, j| delta * s_a[i][j]),
-            stiffness: matrix(&|i, j| diagonal(i, j, omega[i] * omega[i])),
-            aerodynamic_stiffness: matrix(&|i, j| match (k_a, j) {
-                (Some(k_a), 2) => pressure * k_a[i],
-                _ => Ball::ZERO,
-            }),
+            mass: matrix(&own.mass),
+            structural_damping: matrix(&own.structural_damping),
+            aerodynamic_damping: matrix(&own.aerodynamic_damping),
+            stiffness: matrix(&own.stiffness),
+            aerodynamic_stiffness: matrix(&own.aerodynamic_stiffness),
         };
         if model.is_finite() {
             Ok(model)
@@ -181,7 +130,10 @@ impl Model {
     /// The state matrix for rθ in place of θ, and time in units of 1/frequency_unit.
     pub(super) fn scaled_state_matrix(&self) -> DMatrix<f64> {
         let n = self.freedom();
-        let inverse = self.inverse_mass();
+        let mass = self.centres(&self.mass);
+        let inverse = mass
+            .try_inverse()
+            .unwrap_or_else(|| DMatrix::from_element(n, n, f64::NAN));
         let damping =
             self.centres(&self.structural_damping) + self.centres(&self.aerodynamic_damping);
         let stiffness = self.centres(&self.stiffness) + self.centres(&self.aerodynamic_stiffness);
@@ -222,17 +174,6 @@ impl Model {
         Matrix3::from_fn(damping)
     }
 
-    /// M⁻¹, scaled: M = I + N with N³ = |N|² N has the inverse I + (N² − N)/(1 − |N|²), where |N|² is
-    /// the square of the inertial coupling to the turn.
-    fn inverse_mass(&self) -> DMatrix<f64> {
-        let n = self.freedom();
-        let identity = DMatrix::identity(n, n);
-        let coupling = self.centres(&self.mass) - &identity;
-        let square = &coupling * &coupling;
-        let strength = square[(n - 1, n - 1)];
-        identity + (square - coupling) / (1.0 - strength)
-    }
-
     /// c²M + cC + K, 2cM + C and M: the coefficients of B(c + μ) in powers of μ, where
     /// B(λ) = λ²M + λC + K, scaled, with all damping in C and all stiffness in K. For coordinates that are
     /// held it is the unit matrix.
@@ -262,10 +203,19 @@ impl Model {
         determinant(&self.dynamic_stiffness(c))
     }
 
-    /// 2ω, by which a damping ratio enters the scaled damping of its coordinate.
-    pub(super) fn structural_damping_rate(&self, coordinate: Coordinate) -> Ball {
-        let omega = self.section.parameters().natural_frequencies[coordinate.index()];
-        Ball::real(2.0, 0.0) * rescaled(omega / self.frequency_unit)
+    /// By what the scaled damping of each free coordinate grows with its damping ratio.
+    pub(super) fn structural_damping_rates(&self) -> [Ball; 3] {
+        let mut given = given_with_bounds(&self.section, self.frequency_unit);
+        // C_s is linear in the ratios.
+        given.parameters.damping_ratios = [Bounded::exact(1.0); 3];
+        let rates = given.equations().structural_damping;
+        let rate = |place: usize| {
+            let own = self.section.free().get(place);
+            own.map_or(Ball::ZERO, |own| {
+                Ball::from(rates[own.index()][own.index()])
+            })
+        };
+        std::array::from_fn(rate)
     }
 
     /// The length that turns coordinate `index` of the free ones into a length: r for θ, else 1.
@@ -277,7 +227,7 @@ impl Model {
     }
 
     /// A scaled matrix with its `rates` powers of the unit of frequency in SI units.
-    fn in_si(&self, matrix: &Matrix, rates: i32) -> DMatrix<f64> {
+    fn in_si(&self, matrix: &Matrix<Ball>, rates: i32) -> DMatrix<f64> {
         let factor = self.section.parameters().mass * self.frequency_unit.powi(rates);
         let n = self.freedom();
         DMatrix::from_fn(n, n, |i, j| {
@@ -285,21 +235,45 @@ impl Model {
         })
     }
 
-    fn centres(&self, matrix: &Matrix) -> DMatrix<f64> {
+    fn centres(&self, matrix: &Matrix<Ball>) -> DMatrix<f64> {
         DMatrix::from_fn(self.freedom(), self.freedom(), |i, j| {
             matrix[i][j].centre.re
         })
     }
 }
 
+/// A section in doubles with bounds, time being counted in units of 1/unit, a power of 2.
+pub(super) fn given_with_bounds(section: &Section, unit: f64) -> Given<Bounded> {
+    let p = section.parameters();
+    let number = |own: &f64| Bounded::exact(*own);
+    let mut given = Given::new(p, number, |angles| {
+        let angles: Vec<f64> = angles.iter().copied().copied().collect();
+        cosine_and_sine(&angles)
+    });
+    let per_unit = |own: f64| rescaled(own / unit);
+    given.parameters.natural_frequencies = p.natural_frequencies.map(per_unit);
+    given.parameters.wind_speed = per_unit(p.wind_speed);
+    given
+}
+
 /// A number over a power of two, which rounds nothing but what becomes subnormal.
-fn rescaled(value: f64) -> Ball {
-    let error = if value.is_normal() {
-        0.0
-    } else {
-        f64::MIN_POSITIVE
+fn rescaled(value: f64) -> Bounded {
+    let error = match value == 0.0 || value.is_normal() {
+        true => 0.0,
+        false => f64::MIN_POSITIVE,
     };
-    Ball::real(value, error)
+    Bounded { value, error }
+}
+
+/// The rows and columns of the free coordinates, before zeros.
+fn free_entries(matrix: &Matrix<Ball>, free: &[Coordinate]) -> Matrix<Ball> {
+    let own = |place: usize| free.get(place).map(|free| free.index());
+    std::array::from_fn(|row| {
+        std::array::from_fn(|column| match (own(row), own(column)) {
+            (Some(i), Some(j)) => matrix[i][j],
+            _ => Ball::ZERO,
+        })
+    })
 }
 
 /// The coefficients of μ⁰, μ¹ and μ².

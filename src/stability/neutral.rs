@@ -6,7 +6,7 @@ use crate::algebra::interval::{Interval, Intervals, KnownSign};
 use crate::algebra::trigonometric_sum::TrigonometricSums;
 use crate::algebra::univariate::Univariate;
 
-use super::exact_section::InSpeed;
+use super::in_speed::InSpeed;
 
 /// The digits with which a divisor is ruled out.
 const DIGITS: usize = 128;

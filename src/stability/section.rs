@@ -1,5 +1,10 @@
 //! A section in the wind: its parameters, checked.
 
+use sextic_evaluators::damping_coefficient::{DampingCoefficientInputs, damping_coefficient};
+use sextic_evaluators::small_quantities::{
+    SmallQuantitiesInputs, SmallQuantitiesOutputs, small_quantities,
+};
+
 use super::coordinate::{Coordinate, FreeCoordinates};
 use super::error::StabilityError;
 use super::forces::Forces;
@@ -65,6 +70,21 @@ impl<T> Parameters<T> {
             free: self.free,
             aerodynamic_stiffness: self.aerodynamic_stiffness,
         }
+    }
+}
+
+impl Parameters {
+    /// e and δ of the first free coordinate, without a check.
+    pub(super) fn small_quantities(&self) -> SmallQuantitiesOutputs<f64> {
+        small_quantities(&SmallQuantitiesInputs {
+            r: self.radius_of_gyration,
+            L_g: self.mass_centre_distance,
+            m: self.mass,
+            omega_n: self.natural_frequencies[self.free.as_slice()[0].index()],
+            rho: self.air_density,
+            D: self.reference_dimension,
+            U: self.wind_speed,
+        })
     }
 }
 
@@ -199,19 +219,29 @@ impl Section {
 
     /// e = L_g/r, the eccentricity: at least 0, below 1.
     pub fn eccentricity(&self) -> f64 {
-        self.0.mass_centre_distance / self.0.radius_of_gyration
+        self.0.small_quantities().e
     }
 
-    /// S = −4 m λ_R/(ρ D U), the damping coefficient of a real part λ_R in 1/s, Eq. (13) and §4.2;
+    /// δ = ρDU/(2mω), ω being that of the first free coordinate.
+    pub fn relative_wind(&self) -> f64 {
+        self.0.small_quantities().delta
+    }
+
+    /// S, the damping coefficient of a real part in 1/s, Eq. (13) and §4.2;
     /// `None` without wind, or if it is beyond the doubles.
     ///
     /// With the largest real part of all modes it is S_3D (S_2D for two free coordinates), with the
     /// error of that real part its error but for the sign. The section gallops if S_3D < 0.
     pub fn damping_coefficient(&self, real_part: f64) -> Option<f64> {
         let p = &self.0;
-        let wind = p.air_density * p.reference_dimension * p.wind_speed;
-        let coefficient = -4.0 * p.mass * real_part / wind;
-        (wind > 0.0 && coefficient.is_finite()).then_some(coefficient)
+        let coefficient = damping_coefficient(&DampingCoefficientInputs {
+            m: p.mass,
+            rho: p.air_density,
+            D: p.reference_dimension,
+            U: p.wind_speed,
+            lamda_R: real_part,
+        });
+        (p.wind_speed > 0.0 && coefficient.S.is_finite()).then_some(coefficient.S)
     }
 }
 

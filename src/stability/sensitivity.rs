@@ -40,10 +40,11 @@ pub fn weakened_by(model: &Model, spectrum: &Spectrum) -> Vec<(Coordinate, f64)>
         .dynamic_stiffness(lambda)
         .map(|row| row.map(|entry| entry[0]));
     let slope = model.taylor(lambda)[1];
+    let rates = model.structural_damping_rates();
     let weakened = |(place, &coordinate): (usize, &Coordinate)| {
         let (j, k) = ((place + 1) % 3, (place + 2) % 3);
         let minor = matrix[j][j] * matrix[k][k] + -(matrix[j][k] * matrix[k][j]);
-        let rate = model.structural_damping_rate(coordinate);
+        let rate = rates[place];
         // ∂λ/∂ζ times |d|B|/dλ|², which is above 0.
         let product = -(rate * lambda * minor * slope.conjugate());
         let is_growing = product.centre.re > product.radius && slope.smallest() > 0.0;

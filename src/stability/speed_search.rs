@@ -8,8 +8,8 @@ use crate::algebra::univariate::Univariate;
 
 use super::bernstein::Bernstein;
 use super::critical_speed::Stability;
-use super::exact_section::InSpeed;
 use super::hurwitz::hurwitz_determinants;
+use super::in_speed::InSpeed;
 
 /// A part of the speeds, its ends as shares of the highest one.
 #[derive(Clone, Debug)]

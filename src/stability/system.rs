@@ -1,6 +1,6 @@
 //! A derived system in numbers: M q̈ + C q̇ + K q = 0, whose matrices are a program of its parameters.
 
-mod arithmetic;
+pub(super) mod arithmetic;
 mod block;
 pub mod critical;
 mod disc;

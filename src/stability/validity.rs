@@ -260,11 +260,8 @@ impl Sections {
 
     /// e and δ.
     fn place(&self) -> [f64; 2] {
-        let parameters = &self.sections[0].1;
-        [
-            parameters.mass_centre_distance / parameters.radius_of_gyration,
-            parameters.wind_speed / speed_of_unit(parameters),
-        ]
+        let small = self.sections[0].1.small_quantities();
+        [small.e, small.delta]
     }
 
     /// The largest |S_a|.
@@ -403,10 +400,13 @@ fn distance(eccentricity: f64, radius_of_gyration: f64) -> f64 {
     (eccentricity * radius_of_gyration).min(radius_of_gyration.next_down())
 }
 
-/// The wind speed at which δ = 1: 2mω_n/(ρD).
+/// The wind speed at which δ = 1, to which it is proportional.
 fn speed_of_unit(parameters: &Parameters) -> f64 {
-    2.0 * parameters.mass * parameters.natural_frequencies[1]
-        / (parameters.air_density * parameters.reference_dimension)
+    let slow = Parameters {
+        wind_speed: 1.0,
+        ..*parameters
+    };
+    1.0 / slow.small_quantities().delta
 }
 
 /// A range that has a number within it; one that is too small changes nothing.

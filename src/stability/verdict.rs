@@ -2,14 +2,15 @@
 
 use std::fmt;
 
-use crate::algebra::arithmetic::Arithmetic;
-use crate::algebra::budget::{Budget, Exhausted};
+use crate::algebra::budget::Budget;
 use crate::algebra::trigonometric_sum::{TrigonometricSum as Sum, TrigonometricSums};
 
 use super::eigenvalue::Spectrum;
-use super::exact_section::ExactSection;
+use super::exact_section::{ExactSection, at_speed};
 use super::half_plane::{MOST_PRODUCTS, Roots, roots_without_pairs};
+use super::in_speed::InSpeed;
 use super::section::Section;
+use super::system::arithmetic::NoValue;
 
 /// What is known of the stability of a section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -123,11 +124,11 @@ pub fn verdict_by_errors(spectrum: &Spectrum) -> Option<Verdict> {
 /// Bounded: at most 2,100,000 products of machine words in exact sums, and 4096 binary digits.
 pub fn exact_verdict(section: &ExactSection) -> Verdict {
     let sums = |steps: u64| TrigonometricSums::new(Budget::new(steps));
-    let squares = section.natural_squares().into_iter().map(Sum::from);
-    let found = polynomial_at_speed(section, &sums(LONGEST_POLYNOMIAL))
-        .map_err(|_| Doubt::TooLong)
-        .and_then(|own| roots_without_pairs(own, squares, &sums(MOST_PRODUCTS)));
-    Verdict::from(found)
+    let found = polynomial_and_squares(section, &sums(LONGEST_POLYNOMIAL));
+    let found = found.map_err(|_| Doubt::TooLong);
+    Verdict::from(found.and_then(|[polynomial, squares]| {
+        roots_without_pairs(polynomial, squares.into_iter(), &sums(MOST_PRODUCTS))
+    }))
 }
 
 impl From<Result<Roots, Doubt>> for Verdict {
@@ -145,19 +146,18 @@ impl From<Result<Roots, Doubt>> for Verdict {
 /// The products of machine words for the characteristic polynomial.
 pub(super) const LONGEST_POLYNOMIAL: u64 = 2_000_000;
 
-/// The characteristic polynomial at the speed of the section.
-fn polynomial_at_speed(
+/// The characteristic polynomial at the speed of the section, and the squares of frequencies that are likely to
+/// divide it.
+fn polynomial_and_squares(
     section: &ExactSection,
     sums: &TrigonometricSums,
-) -> Result<Vec<Sum>, Exhausted> {
+) -> Result<[Vec<Sum>; 2], NoValue> {
     let speed = &section.parameters().wind_speed;
+    let value = |own: &InSpeed| at_speed(own, sums);
     let polynomial = section.characteristic_polynomial(speed, sums)?;
-    polynomial
-        .iter()
-        .map(|powers| {
-            powers
-                .iter()
-                .try_fold(sums.zero(), |sum, own| sums.sum(&sum, own))
-        })
-        .collect()
+    let squares = section.likely_squares(speed, sums)?;
+    Ok([
+        polynomial.iter().map(value).collect::<Result<_, _>>()?,
+        squares.iter().map(value).collect::<Result<_, _>>()?,
+    ])
 }

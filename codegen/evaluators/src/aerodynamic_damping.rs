@@ -8,7 +8,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - SHA-256 of the document:
-//!   `7ef3ec98fc69f7f4d0fac16b1b9659c73957e3fb0d3f5b100767616e4ccfd0f4`
+//!   `4c2c894644cfaf14ca2e57a367b70d29f460912905d5ff2e75e6b014986dcfaa`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -137,7 +137,7 @@ pub type AerodynamicDampingSlicesMut<'a> = AerodynamicDampingOutputs<&'a mut [f6
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-pub(super) fn aerodynamic_damping_body<T: Arithmetic>(
+pub fn aerodynamic_damping_body<T: Arithmetic>(
     inputs: &AerodynamicDampingInputs<T>,
 ) -> AerodynamicDampingOutputs<T> {
     let r = inputs.r;
@@ -272,7 +272,7 @@ pub(super) fn aerodynamic_damping_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
 /// - SHA-256 of the document:
-///   `7ef3ec98fc69f7f4d0fac16b1b9659c73957e3fb0d3f5b100767616e4ccfd0f4`
+///   `4c2c894644cfaf14ca2e57a367b70d29f460912905d5ff2e75e6b014986dcfaa`
 #[must_use]
 pub fn aerodynamic_damping(inputs: &AerodynamicDampingInputs<f64>) -> AerodynamicDampingOutputs<f64> {
     aerodynamic_damping_body(inputs)

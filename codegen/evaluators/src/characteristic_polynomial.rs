@@ -8,7 +8,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - SHA-256 of the document:
-//!   `7ef3ec98fc69f7f4d0fac16b1b9659c73957e3fb0d3f5b100767616e4ccfd0f4`
+//!   `4c2c894644cfaf14ca2e57a367b70d29f460912905d5ff2e75e6b014986dcfaa`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -192,7 +192,7 @@ pub type CharacteristicPolynomialSlicesMut<'a> = CharacteristicPolynomialOutputs
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-pub(super) fn characteristic_polynomial_body<T: Arithmetic>(
+pub fn characteristic_polynomial_body<T: Arithmetic>(
     inputs: &CharacteristicPolynomialInputs<T>,
 ) -> CharacteristicPolynomialOutputs<T> {
     let m = inputs.m;
@@ -391,7 +391,7 @@ pub(super) fn characteristic_polynomial_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
 /// - SHA-256 of the document:
-///   `7ef3ec98fc69f7f4d0fac16b1b9659c73957e3fb0d3f5b100767616e4ccfd0f4`
+///   `4c2c894644cfaf14ca2e57a367b70d29f460912905d5ff2e75e6b014986dcfaa`
 #[must_use]
 pub fn characteristic_polynomial(inputs: &CharacteristicPolynomialInputs<f64>) -> CharacteristicPolynomialOutputs<f64> {
     characteristic_polynomial_body(inputs)

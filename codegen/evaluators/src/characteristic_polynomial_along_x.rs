@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - SHA-256 of the document:
-//!   `7ef3ec98fc69f7f4d0fac16b1b9659c73957e3fb0d3f5b100767616e4ccfd0f4`
+//!   `4c2c894644cfaf14ca2e57a367b70d29f460912905d5ff2e75e6b014986dcfaa`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -184,7 +184,7 @@ pub type CharacteristicPolynomialAlongXSlicesMut<'a> = CharacteristicPolynomialA
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-pub(super) fn characteristic_polynomial_along_x_body<T: Arithmetic>(
+pub fn characteristic_polynomial_along_x_body<T: Arithmetic>(
     inputs: &CharacteristicPolynomialAlongXInputs<T>,
 ) -> CharacteristicPolynomialAlongXOutputs<T> {
     let m = inputs.m;
@@ -360,7 +360,7 @@ pub(super) fn characteristic_polynomial_along_x_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
 /// - SHA-256 of the document:
-///   `7ef3ec98fc69f7f4d0fac16b1b9659c73957e3fb0d3f5b100767616e4ccfd0f4`
+///   `4c2c894644cfaf14ca2e57a367b70d29f460912905d5ff2e75e6b014986dcfaa`
 #[must_use]
 pub fn characteristic_polynomial_along_x(inputs: &CharacteristicPolynomialAlongXInputs<f64>) -> CharacteristicPolynomialAlongXOutputs<f64> {
     characteristic_polynomial_along_x_body(inputs)

@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - SHA-256 of the document:
-//!   `7ef3ec98fc69f7f4d0fac16b1b9659c73957e3fb0d3f5b100767616e4ccfd0f4`
+//!   `4c2c894644cfaf14ca2e57a367b70d29f460912905d5ff2e75e6b014986dcfaa`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -178,7 +178,7 @@ pub type CharacteristicPolynomialUndampedSlicesMut<'a> = CharacteristicPolynomia
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-pub(super) fn characteristic_polynomial_undamped_body<T: Arithmetic>(
+pub fn characteristic_polynomial_undamped_body<T: Arithmetic>(
     inputs: &CharacteristicPolynomialUndampedInputs<T>,
 ) -> CharacteristicPolynomialUndampedOutputs<T> {
     let m = inputs.m;
@@ -374,7 +374,7 @@ pub(super) fn characteristic_polynomial_undamped_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
 /// - SHA-256 of the document:
-///   `7ef3ec98fc69f7f4d0fac16b1b9659c73957e3fb0d3f5b100767616e4ccfd0f4`
+///   `4c2c894644cfaf14ca2e57a367b70d29f460912905d5ff2e75e6b014986dcfaa`
 #[must_use]
 pub fn characteristic_polynomial_undamped(inputs: &CharacteristicPolynomialUndampedInputs<f64>) -> CharacteristicPolynomialUndampedOutputs<f64> {
     characteristic_polynomial_undamped_body(inputs)

@@ -11,7 +11,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - SHA-256 of the document:
-//!   `7ef3ec98fc69f7f4d0fac16b1b9659c73957e3fb0d3f5b100767616e4ccfd0f4`
+//!   `4c2c894644cfaf14ca2e57a367b70d29f460912905d5ff2e75e6b014986dcfaa`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -146,7 +146,7 @@ pub type ClosedFormSlicesMut<'a> = ClosedFormOutputs<&'a mut [f64]>;
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-pub(super) fn closed_form_body<T: Arithmetic>(
+pub fn closed_form_body<T: Arithmetic>(
     inputs: &ClosedFormInputs<T>,
 ) -> ClosedFormOutputs<T> {
     let m = inputs.m;
@@ -254,7 +254,7 @@ pub(super) fn closed_form_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
 /// - SHA-256 of the document:
-///   `7ef3ec98fc69f7f4d0fac16b1b9659c73957e3fb0d3f5b100767616e4ccfd0f4`
+///   `4c2c894644cfaf14ca2e57a367b70d29f460912905d5ff2e75e6b014986dcfaa`
 #[must_use]
 pub fn closed_form(inputs: &ClosedFormInputs<f64>) -> ClosedFormOutputs<f64> {
     closed_form_body(inputs)

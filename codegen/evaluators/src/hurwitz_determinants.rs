@@ -8,7 +8,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - SHA-256 of the document:
-//!   `7ef3ec98fc69f7f4d0fac16b1b9659c73957e3fb0d3f5b100767616e4ccfd0f4`
+//!   `4c2c894644cfaf14ca2e57a367b70d29f460912905d5ff2e75e6b014986dcfaa`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -59,7 +59,7 @@ pub type HurwitzDeterminantsSlicesMut<'a> = HurwitzDeterminantsOutputs<&'a mut [
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-pub(super) fn hurwitz_determinants_body<T: Arithmetic>(
+pub fn hurwitz_determinants_body<T: Arithmetic>(
     inputs: &HurwitzDeterminantsInputs<T>,
 ) -> HurwitzDeterminantsOutputs<T> {
     let c_0 = inputs.c_0;
@@ -152,7 +152,7 @@ pub(super) fn hurwitz_determinants_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
 /// - SHA-256 of the document:
-///   `7ef3ec98fc69f7f4d0fac16b1b9659c73957e3fb0d3f5b100767616e4ccfd0f4`
+///   `4c2c894644cfaf14ca2e57a367b70d29f460912905d5ff2e75e6b014986dcfaa`
 #[must_use]
 pub fn hurwitz_determinants(inputs: &HurwitzDeterminantsInputs<f64>) -> HurwitzDeterminantsOutputs<f64> {
     hurwitz_determinants_body(inputs)

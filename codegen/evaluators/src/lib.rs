@@ -17,11 +17,15 @@
 //! - The coefficients of the characteristic polynomial without structural damping, that of λ⁰ first, Eq. (19): [`characteristic_polynomial_undamped::characteristic_polynomial_undamped`]
 //! - The coefficients of the characteristic polynomial, that of λ⁰ first, Eq. (19): [`characteristic_polynomial::characteristic_polynomial`]
 //! - The coefficients of μ², μ and 1 of the characteristic cubic, real and imaginary parts, to first (second = 0) or second order (second = 1) in the damping; iν_2 + μ are the eigenvalues: [`uniform_cubic::uniform_cubic`]
+//! - The damping coefficient of a mode by the real part of its eigenvalue, Eq. (13): [`damping_coefficient::damping_coefficient`]
+//! - The eccentricity, and the damping of a unit of S_a over the frequency: what the closed forms take to be small: [`small_quantities::small_quantities`]
 //! - The eccentricity, and the damping over mass by the wind and by the structure: [`scaled_entries::scaled_entries`]
+//! - The mass, structural damping, aerodynamic damping and stiffness matrices of a section over its mass, for x, y and rθ: [`section_matrices::section_matrices`]
 //! - The real parts of the eigenvalues of the three modes (one above 0 gallops), for perfect tuning and without structural damping, to first order in ρDU/(2mω_n) where L_g/r is well above ρDU|S_a|/(2mω_n): elsewhere even the sign may be wrong, and the command stability checks it; from the physical parameters, Eqs. (21), (22), (23): [`closed_form_in_wind::closed_form_in_wind`]
 //! - The real parts of the eigenvalues of the three modes (one above 0 gallops), for perfect tuning and without structural damping, to first order in ρDU/(2mω_n) where L_g/r is well above ρDU|S_a|/(2mω_n): elsewhere even the sign may be wrong, and the command stability checks it; from the scaled damping matrix, Eqs. (21), (22), (23): [`closed_form::closed_form`]
 //! - The scaled aerodynamic damping matrix, Eq. (18): [`aerodynamic_damping::aerodynamic_damping`]
 //! - The three modes of a section, with a rigorous radius each, by an iteration: [`exact_modes::exact_modes`], and of many: [`exact_modes_batch::exact_modes_batch`]
+//! - What the forces of the wind on x, y and rθ add to the stiffness over the mass as they follow the turn rθ: [`turn_stiffness::turn_stiffness`]
 //! - What the matching leaves of the coefficients of λ⁴, λ³ and λ², Eq. (20): [`matching_residuals::matching_residuals`]
 #![cfg_attr(not(feature = "std"), no_std)]
 #![deny(unsafe_code)]
@@ -57,6 +61,8 @@ pub mod closed_form;
 #[rustfmt::skip]
 pub mod closed_form_in_wind;
 #[rustfmt::skip]
+pub mod damping_coefficient;
+#[rustfmt::skip]
 pub mod hurwitz_determinants;
 #[rustfmt::skip]
 pub mod matching_residuals;
@@ -69,8 +75,14 @@ pub mod no_wind_modes;
 #[rustfmt::skip]
 pub mod scaled_entries;
 #[rustfmt::skip]
+pub mod section_matrices;
+#[rustfmt::skip]
 pub mod shifted_determinant;
 #[rustfmt::skip]
 pub mod shifted_polynomial;
+#[rustfmt::skip]
+pub mod small_quantities;
+#[rustfmt::skip]
+pub mod turn_stiffness;
 #[rustfmt::skip]
 pub mod uniform_cubic;

@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/uniform.md`
 //! - SHA-256 of the document:
-//!   `aafba5608e4dd51f3374cad1b753468aa1a269ee06e5f2981519032f83f74413`
+//!   `0ad8b4e0868c6ccc8d398c70142d362b30b48944a4656fef34c2697b240bdde2`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -193,7 +193,7 @@ pub type ModalDampingInWindSlicesMut<'a> = ModalDampingInWindOutputs<&'a mut [f6
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-pub(super) fn modal_damping_in_wind_body<T: Arithmetic>(
+pub fn modal_damping_in_wind_body<T: Arithmetic>(
     inputs: &ModalDampingInWindInputs<T>,
 ) -> ModalDampingInWindOutputs<T> {
     let m = inputs.m;
@@ -417,7 +417,7 @@ pub(super) fn modal_damping_in_wind_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/uniform.md`
 /// - SHA-256 of the document:
-///   `aafba5608e4dd51f3374cad1b753468aa1a269ee06e5f2981519032f83f74413`
+///   `0ad8b4e0868c6ccc8d398c70142d362b30b48944a4656fef34c2697b240bdde2`
 #[must_use]
 pub fn modal_damping_in_wind(inputs: &ModalDampingInWindInputs<f64>) -> ModalDampingInWindOutputs<f64> {
     modal_damping_in_wind_body(inputs)

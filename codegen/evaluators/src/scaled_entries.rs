@@ -8,7 +8,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/exact-modes.md`
 //! - SHA-256 of the document:
-//!   `d918a58b832b355902cad25f6648638f649380f86139a0aa37f1e11d845bca80`
+//!   `f4f202fa486d34b14795a02853d7d340f27bd6f972a77e66de278749ba1bc3a0`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -195,7 +195,7 @@ pub type ScaledEntriesSlicesMut<'a> = ScaledEntriesOutputs<&'a mut [f64]>;
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-pub(super) fn scaled_entries_body<T: Arithmetic>(
+pub fn scaled_entries_body<T: Arithmetic>(
     inputs: &ScaledEntriesInputs<T>,
 ) -> ScaledEntriesOutputs<T> {
     let m = inputs.m;
@@ -334,7 +334,7 @@ pub(super) fn scaled_entries_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/exact-modes.md`
 /// - SHA-256 of the document:
-///   `d918a58b832b355902cad25f6648638f649380f86139a0aa37f1e11d845bca80`
+///   `f4f202fa486d34b14795a02853d7d340f27bd6f972a77e66de278749ba1bc3a0`
 #[must_use]
 pub fn scaled_entries(inputs: &ScaledEntriesInputs<f64>) -> ScaledEntriesOutputs<f64> {
     scaled_entries_body(inputs)

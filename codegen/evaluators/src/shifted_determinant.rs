@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/exact-modes.md`
 //! - SHA-256 of the document:
-//!   `d918a58b832b355902cad25f6648638f649380f86139a0aa37f1e11d845bca80`
+//!   `f4f202fa486d34b14795a02853d7d340f27bd6f972a77e66de278749ba1bc3a0`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -74,7 +74,7 @@ pub type ShiftedDeterminantSlicesMut<'a> = ShiftedDeterminantOutputs<&'a mut [f6
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-pub(super) fn shifted_determinant_body<T: Arithmetic>(
+pub fn shifted_determinant_body<T: Arithmetic>(
     inputs: &ShiftedDeterminantInputs<T>,
 ) -> ShiftedDeterminantOutputs<T> {
     let omega_x = inputs.omega_x;
@@ -209,7 +209,7 @@ pub(super) fn shifted_determinant_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/exact-modes.md`
 /// - SHA-256 of the document:
-///   `d918a58b832b355902cad25f6648638f649380f86139a0aa37f1e11d845bca80`
+///   `f4f202fa486d34b14795a02853d7d340f27bd6f972a77e66de278749ba1bc3a0`
 #[must_use]
 pub fn shifted_determinant(inputs: &ShiftedDeterminantInputs<f64>) -> ShiftedDeterminantOutputs<f64> {
     shifted_determinant_body(inputs)

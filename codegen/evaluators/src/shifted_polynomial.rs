@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/exact-modes.md`
 //! - SHA-256 of the document:
-//!   `d918a58b832b355902cad25f6648638f649380f86139a0aa37f1e11d845bca80`
+//!   `f4f202fa486d34b14795a02853d7d340f27bd6f972a77e66de278749ba1bc3a0`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -102,7 +102,7 @@ pub type ShiftedPolynomialSlicesMut<'a> = ShiftedPolynomialOutputs<&'a mut [f64]
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-pub(super) fn shifted_polynomial_body<T: Arithmetic>(
+pub fn shifted_polynomial_body<T: Arithmetic>(
     inputs: &ShiftedPolynomialInputs<T>,
 ) -> ShiftedPolynomialOutputs<T> {
     let omega_x = inputs.omega_x;
@@ -333,7 +333,7 @@ pub(super) fn shifted_polynomial_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/exact-modes.md`
 /// - SHA-256 of the document:
-///   `d918a58b832b355902cad25f6648638f649380f86139a0aa37f1e11d845bca80`
+///   `f4f202fa486d34b14795a02853d7d340f27bd6f972a77e66de278749ba1bc3a0`
 #[must_use]
 pub fn shifted_polynomial(inputs: &ShiftedPolynomialInputs<f64>) -> ShiftedPolynomialOutputs<f64> {
     shifted_polynomial_body(inputs)

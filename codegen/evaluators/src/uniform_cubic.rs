@@ -10,7 +10,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/uniform.md`
 //! - SHA-256 of the document:
-//!   `aafba5608e4dd51f3374cad1b753468aa1a269ee06e5f2981519032f83f74413`
+//!   `0ad8b4e0868c6ccc8d398c70142d362b30b48944a4656fef34c2697b240bdde2`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -75,7 +75,7 @@ pub type UniformCubicSlicesMut<'a> = UniformCubicOutputs<&'a mut [f64]>;
 
 /// What every function below computes, on any numbers.
 #[inline(always)]
-pub(super) fn uniform_cubic_body<T: Arithmetic>(
+pub fn uniform_cubic_body<T: Arithmetic>(
     inputs: &UniformCubicInputs<T>,
 ) -> UniformCubicOutputs<T> {
     let nu_2 = inputs.nu_2;
@@ -259,7 +259,7 @@ pub(super) fn uniform_cubic_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/uniform.md`
 /// - SHA-256 of the document:
-///   `aafba5608e4dd51f3374cad1b753468aa1a269ee06e5f2981519032f83f74413`
+///   `0ad8b4e0868c6ccc8d398c70142d362b30b48944a4656fef34c2697b240bdde2`
 #[must_use]
 pub fn uniform_cubic(inputs: &UniformCubicInputs<f64>) -> UniformCubicOutputs<f64> {
     uniform_cubic_body(inputs)

@@ -3,6 +3,7 @@
 use sextic_codegen::arithmetic::Arithmetic;
 
 use crate::algebra::arithmetic::Arithmetic as Ring;
+use crate::algebra::budget::Exhausted;
 use crate::algebra::interval::{Interval, Intervals};
 use crate::algebra::number::Rational;
 use crate::algebra::trigonometric_sum::{TrigonometricSum as Sum, TrigonometricSums};
@@ -11,13 +12,19 @@ use super::real::Real;
 
 /// Why a program has no value in an arithmetic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum NoValue {
+pub(in crate::stability) enum NoValue {
     /// It divides by what is 0, or not told from it.
     Division,
     /// It takes the root of what is negative, or not told from that.
     Root,
     /// The value is no finite sum of sines and cosines, or is too long.
     NotExact,
+}
+
+impl From<Exhausted> for NoValue {
+    fn from(_: Exhausted) -> Self {
+        NoValue::NotExact
+    }
 }
 
 /// The double nearest to a number, and how far it is away; infinite where there is none.
@@ -160,12 +167,12 @@ pub(super) struct Sums<'a>(pub &'a TrigonometricSums);
 
 impl Sums<'_> {
     fn product_of(&self, a: &Sum, b: &Sum) -> Result<Sum, NoValue> {
-        self.0.product(a, b).map_err(|_| NoValue::NotExact)
+        Ok(self.0.product(a, b)?)
     }
 }
 
 /// A sum without sines as the number that it is.
-pub(super) fn rational(sum: &Sum) -> Option<Rational> {
+pub(in crate::stability) fn rational(sum: &Sum) -> Option<Rational> {
     let mut terms = sum.terms();
     match (terms.next(), terms.next()) {
         (None, _) => Some(Rational::ZERO),
@@ -187,11 +194,11 @@ impl Arithmetic for Sums<'_> {
     }
 
     fn sum(&mut self, a: &Sum, b: &Sum) -> Result<Sum, NoValue> {
-        self.0.sum(a, b).map_err(|_| NoValue::NotExact)
+        Ok(self.0.sum(a, b)?)
     }
 
     fn difference(&mut self, a: &Sum, b: &Sum) -> Result<Sum, NoValue> {
-        self.0.difference(a, b).map_err(|_| NoValue::NotExact)
+        Ok(self.0.difference(a, b)?)
     }
 
     fn product(&mut self, a: &Sum, b: &Sum) -> Result<Sum, NoValue> {

@@ -1,0 +1,292 @@
+//! The equations of motion of a section, M q̈ + (C_s + C_a) q̇ + (K + K_a) q = 0, as they were derived and compiled.
+//!
+//! This file only binds the quantities of a section to the inputs of emitted functions.
+
+use std::cell::RefCell;
+
+use sextic_codegen::arithmetic::Arithmetic as Numbers;
+use sextic_evaluators::aerodynamic_damping::{AerodynamicDampingInputs, aerodynamic_damping_body};
+use sextic_evaluators::arithmetic::Arithmetic;
+use sextic_evaluators::no_wind_modes::{NoWindModesInputs, no_wind_modes_body};
+use sextic_evaluators::section_matrices::{SectionMatricesInputs, section_matrices_body};
+use sextic_evaluators::turn_stiffness::{TurnStiffnessInputs, turn_stiffness_body};
+
+use super::forces::Forces;
+use super::recorded::{self, Recorded};
+use super::section::{Coefficients, Parameters};
+
+/// A matrix for x, y and rθ.
+pub(super) type Matrix<T> = [[T; 3]; 3];
+
+/// The matrices of a section over its mass m, for x, y and rθ (`derivations/exact-modes.md`).
+#[derive(Clone, Debug)]
+pub(super) struct Equations<T> {
+    /// M/m, Eq. (9).
+    pub mass: Matrix<T>,
+    /// C_s/m, Eq. (9).
+    pub structural_damping: Matrix<T>,
+    /// C_a/m, Eqs. (12), (17) and (18).
+    pub aerodynamic_damping: Matrix<T>,
+    /// K/m, Eq. (9).
+    pub stiffness: Matrix<T>,
+    /// K_a/m (`derivations/extensions.md`, section 3): 0 unless the parameters ask for it, since the paper leaves it
+    /// out.
+    pub aerodynamic_stiffness: Matrix<T>,
+}
+
+/// A section in the numbers that its equations are wanted in; its angles count by their directions only.
+#[derive(Clone, Debug)]
+pub(super) struct Given<T> {
+    pub parameters: Parameters<T>,
+    /// cos and sin of α_0.
+    pub wind: [T; 2],
+    /// cos and sin of α_g + θ_0.
+    pub mass_centre: [T; 2],
+    /// cos and sin of γ_r + θ_0.
+    pub aerodynamic_centre: [T; 2],
+}
+
+impl<T> Given<T> {
+    /// Parameters, by a function for numbers, and one for cosine and sine of a sum of angles.
+    pub fn new<N>(
+        p: &Parameters<N>,
+        number: impl Fn(&N) -> T,
+        direction: impl Fn(&[&N]) -> [T; 2],
+    ) -> Self {
+        Given {
+            parameters: p.map(number),
+            wind: direction(&[&p.wind_angle]),
+            mass_centre: direction(&[&p.mass_centre_angle, &p.attitude]),
+            aerodynamic_centre: direction(&[&p.aerodynamic_centre_angle, &p.attitude]),
+        }
+    }
+
+    fn map<U>(&self, number: impl Fn(&T) -> U) -> Given<U> {
+        let both = |own: &[T; 2]| own.each_ref().map(&number);
+        Given {
+            wind: both(&self.wind),
+            mass_centre: both(&self.mass_centre),
+            aerodynamic_centre: both(&self.aerodynamic_centre),
+            parameters: self.parameters.map(&number),
+        }
+    }
+}
+
+impl<T: Arithmetic> Given<T> {
+    /// The matrices.
+    pub fn equations(&self) -> Equations<T> {
+        let own = section_matrices_body(&self.section_inputs());
+        let [k_x, k_y, k_t] = self.turn_stiffness();
+        let zero = T::constant(0.0);
+        Equations {
+            mass: [
+                [own.M_11, own.M_12, own.M_13],
+                [own.M_21, own.M_22, own.M_23],
+                [own.M_31, own.M_32, own.M_33],
+            ],
+            structural_damping: [
+                [own.C_s_11, own.C_s_12, own.C_s_13],
+                [own.C_s_21, own.C_s_22, own.C_s_23],
+                [own.C_s_31, own.C_s_32, own.C_s_33],
+            ],
+            aerodynamic_damping: [
+                [own.C_a_11, own.C_a_12, own.C_a_13],
+                [own.C_a_21, own.C_a_22, own.C_a_23],
+                [own.C_a_31, own.C_a_32, own.C_a_33],
+            ],
+            stiffness: [
+                [own.K_11, own.K_12, own.K_13],
+                [own.K_21, own.K_22, own.K_23],
+                [own.K_31, own.K_32, own.K_33],
+            ],
+            aerodynamic_stiffness: [k_x, k_y, k_t].map(|turn| [zero, zero, turn]),
+        }
+    }
+
+    /// S_a, Eq. (18): as it is given, or from the coefficients.
+    pub fn scaled_damping(&self) -> Matrix<T> {
+        let c = match &self.parameters.forces {
+            Forces::ScaledDamping(rows) => return *rows,
+            Forces::Coefficients(c) => c,
+        };
+        let own = aerodynamic_damping_body(&self.damping_inputs(c));
+        [
+            [own.S_xx, own.S_xy, own.S_xt],
+            [own.S_yx, own.S_yy, own.S_yt],
+            [own.S_tx, own.S_ty, own.S_tt],
+        ]
+    }
+
+    /// The squares of the circular frequencies without wind if ω_n is the natural frequency of all motions, Eq. (15).
+    fn squares_without_wind(&self, omega_n: T) -> [T; 3] {
+        let [cosine, sine] = self.mass_centre;
+        let own = no_wind_modes_body(&NoWindModesInputs {
+            r: self.parameters.radius_of_gyration,
+            L_g: self.parameters.mass_centre_distance,
+            cos_alpha_g_plus_theta_0: cosine,
+            sin_alpha_g_plus_theta_0: sine,
+            omega_n,
+        });
+        [own.Omega_1, own.Omega_2, own.Omega_3]
+    }
+
+    /// The column of the turn in K_a over the mass.
+    fn turn_stiffness(&self) -> [T; 3] {
+        let p = &self.parameters;
+        let (Forces::Coefficients(c), true) = (&p.forces, p.aerodynamic_stiffness) else {
+            return [T::constant(0.0); 3];
+        };
+        let own = turn_stiffness_body(&TurnStiffnessInputs {
+            m: p.mass,
+            r: p.radius_of_gyration,
+            cos_alpha_0: self.wind[0],
+            sin_alpha_0: self.wind[1],
+            rho: p.air_density,
+            D: p.reference_dimension,
+            U: p.wind_speed,
+            dC_D: c.drag_slope,
+            dC_L: c.lift_slope,
+            dC_M: c.moment_slope,
+        });
+        [own.K_xtheta, own.K_ytheta, own.K_thetatheta]
+    }
+
+    #[allow(non_snake_case)]
+    fn section_inputs(&self) -> SectionMatricesInputs<T> {
+        let p = &self.parameters;
+        let [cosine, sine] = self.mass_centre;
+        let [omega_x, omega_y, omega_theta] = p.natural_frequencies;
+        let [zeta_x, zeta_y, zeta_theta] = p.damping_ratios;
+        let [[S_xx, S_xy, S_xt], [S_yx, S_yy, S_yt], [S_tx, S_ty, S_tt]] = self.scaled_damping();
+        SectionMatricesInputs {
+            m: p.mass,
+            r: p.radius_of_gyration,
+            L_g: p.mass_centre_distance,
+            cos_alpha_g_plus_theta_0: cosine,
+            sin_alpha_g_plus_theta_0: sine,
+            omega_x,
+            omega_y,
+            omega_theta,
+            zeta_x,
+            zeta_y,
+            zeta_theta,
+            rho: p.air_density,
+            D: p.reference_dimension,
+            U: p.wind_speed,
+            S_xx,
+            S_xy,
+            S_yx,
+            S_yy,
+            S_xt,
+            S_yt,
+            S_tx,
+            S_ty,
+            S_tt,
+        }
+    }
+
+    fn damping_inputs(&self, c: &Coefficients<T>) -> AerodynamicDampingInputs<T> {
+        let p = &self.parameters;
+        AerodynamicDampingInputs {
+            r: p.radius_of_gyration,
+            cos_alpha_0: self.wind[0],
+            sin_alpha_0: self.wind[1],
+            cos_gamma_r_plus_theta_0: self.aerodynamic_centre[0],
+            sin_gamma_r_plus_theta_0: self.aerodynamic_centre[1],
+            D: p.reference_dimension,
+            L_a: p.aerodynamic_centre_distance,
+            C_D: c.drag,
+            C_L: c.lift,
+            dC_D: c.drag_slope,
+            dC_L: c.lift_slope,
+            C_M: c.moment,
+            dC_M: c.moment_slope,
+        }
+    }
+}
+
+impl<T: Clone> Given<T> {
+    /// The matrices in an arithmetic that emitted functions do not know.
+    ///
+    /// # Errors
+    ///
+    /// Those of the arithmetic.
+    pub fn equations_in<A: Numbers<Value = T>>(
+        &self,
+        arithmetic: &mut A,
+    ) -> Result<Equations<T>, A::Error> {
+        let entries = self.run(arithmetic, |given| given.equations().into_entries())?;
+        Ok(Equations::from_entries(entries))
+    }
+
+    /// The squares of the frequencies without wind if all motions had one of the natural frequencies, Eq. (15).
+    ///
+    /// # Errors
+    ///
+    /// Those of the arithmetic.
+    pub fn squares_without_wind_in<A: Numbers<Value = T>>(
+        &self,
+        arithmetic: &mut A,
+    ) -> Result<Vec<T>, A::Error> {
+        self.run(arithmetic, |given| {
+            let frequencies = given.parameters.free.as_slice().iter();
+            let own = frequencies.map(|free| given.parameters.natural_frequencies[free.index()]);
+            own.flat_map(|omega| given.squares_without_wind(omega))
+                .collect()
+        })
+    }
+
+    fn run<A: Numbers<Value = T>>(
+        &self,
+        arithmetic: &mut A,
+        functions: impl FnOnce(&Given<Recorded>) -> Vec<Recorded>,
+    ) -> Result<Vec<T>, A::Error> {
+        let values = RefCell::new(Vec::new());
+        let places = self.map(|own| {
+            let mut values = values.borrow_mut();
+            values.push(own.clone());
+            values.len() - 1
+        });
+        recorded::run(arithmetic, &values.into_inner(), |inputs| {
+            functions(&places.map(|place| inputs[*place]))
+        })
+    }
+}
+
+impl<T> Equations<T> {
+    /// The same in other numbers.
+    pub fn map<U>(&self, number: impl Fn(&T) -> U) -> Equations<U> {
+        let matrix = |own: &Matrix<T>| own.each_ref().map(|row| row.each_ref().map(&number));
+        Equations {
+            mass: matrix(&self.mass),
+            structural_damping: matrix(&self.structural_damping),
+            aerodynamic_damping: matrix(&self.aerodynamic_damping),
+            stiffness: matrix(&self.stiffness),
+            aerodynamic_stiffness: matrix(&self.aerodynamic_stiffness),
+        }
+    }
+
+    /// All entries, matrix by matrix and row by row.
+    pub fn into_entries(self) -> Vec<T> {
+        let matrices = [
+            self.mass,
+            self.structural_damping,
+            self.aerodynamic_damping,
+            self.stiffness,
+            self.aerodynamic_stiffness,
+        ];
+        matrices.into_iter().flatten().flatten().collect()
+    }
+
+    fn from_entries(entries: Vec<T>) -> Self {
+        let mut entries = entries.into_iter();
+        let mut matrix = || [(); 3].map(|()| [(); 3].map(|()| entries.next().expect("45 entries")));
+        Equations {
+            mass: matrix(),
+            structural_damping: matrix(),
+            aerodynamic_damping: matrix(),
+            stiffness: matrix(),
+            aerodynamic_stiffness: matrix(),
+        }
+    }
+}
