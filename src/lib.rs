@@ -38,12 +38,13 @@
 //! | [`compile`] | what is derived becomes programs, and their text is proven |
 //! | `stability` | systems and sections in numbers: modes with bounds, verdicts, critical values |
 //! | [`report`] | what was found, for people and programs |
-//! | [`cli`] | the command |
+//! | `cli` | the command |
 //! | [`documents`] | the documents that come with it |
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
 pub mod algebra;
+#[cfg(feature = "command")]
 pub mod cli;
 pub mod compile;
 pub mod derivation;

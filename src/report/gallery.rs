@@ -159,8 +159,7 @@ fn inertial_coupling(
             ],
         }
     };
-    let parameters = &comparison.case.parameters;
-    let e = parameters.mass_centre_distance / parameters.radius_of_gyration;
+    let e = comparison.case.parameters.small_quantities().e;
     let base = stability_figure::figure(comparison);
     Ok(Figure {
         curves: vec![

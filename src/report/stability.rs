@@ -213,12 +213,12 @@ pub fn frequency(mode: &FollowedMode, diverges: bool, case: &Case) -> String {
 
 /// The frequency of a mode of a case in Hz, with a bound of its error.
 pub fn frequency_in_hertz(mode: &FollowedMode, case: &Case) -> Value {
-    let own = &case.parameters;
-    // The bound of S = −4mλ_R/(ρDU) is that of λ.
-    let speed = own.air_density * own.reference_dimension * own.wind_speed / (4.0 * own.mass);
+    // S is proportional to λ, and so are the bounds of both.
+    let per_rate = case.parameters.damping_coefficient(1.0);
+    let error = per_rate.map_or(f64::INFINITY, |own| mode.damping.error / own.abs());
     Value {
         value: mode.frequency,
-        error: mode.damping.error * speed / TAU,
+        error: error / TAU,
     }
 }
 

@@ -3,10 +3,11 @@
 use std::fmt;
 
 use num_complex::Complex;
-use sextic_evaluators::closed_form::{ClosedFormAngles, ClosedFormInputs};
-use sextic_evaluators::no_wind_modes::{NoWindModesAngles, NoWindModesInputs, no_wind_modes};
+use sextic_evaluators::closed_form::{ClosedFormInputs, closed_form as evaluated};
 
-use super::section::Section;
+use super::forces::norm;
+use super::given::Given;
+use super::section::{Parameters, Section};
 
 /// Damping of a mode above this share of its frequency is not small.
 pub(super) const STRONG: f64 = 0.1;
@@ -151,10 +152,10 @@ pub struct Estimate {
 
 impl Estimate {
     /// What a form says of a section.
-    pub(super) fn new(section: &Section, form: Result<ClosedForm, Limitation>) -> Self {
+    pub(super) fn new(p: &Parameters, form: Result<ClosedForm, Limitation>) -> Self {
         match form {
             Ok(form) => Estimate {
-                value: section.damping_coefficient(form.largest_real_part()),
+                value: p.damping_coefficient(form.largest_real_part()),
                 limitations: form.warnings,
             },
             Err(limitation) => Estimate {
@@ -172,7 +173,12 @@ impl Estimate {
 /// If they do not apply: [`Limitation::NotAllFree`], [`Limitation::NotTuned`]. Frequencies count as
 /// equal if they differ by at most 1e-9 of themselves.
 pub fn closed_form(section: &Section) -> Result<ClosedForm, Limitation> {
-    let p = section.parameters();
+    closed_form_of(&Given::of(section.parameters()))
+}
+
+/// The same for numbers that are known to be possible.
+pub(super) fn closed_form_of(given: &Given<f64>) -> Result<ClosedForm, Limitation> {
+    let p = &given.parameters;
     if !p.free.are_all() {
         return Err(Limitation::NotAllFree);
     }
@@ -181,64 +187,35 @@ pub fn closed_form(section: &Section) -> Result<ClosedForm, Limitation> {
     if !p.natural_frequencies.iter().all(is_tuned) {
         return Err(Limitation::NotTuned);
     }
-    let parts = sextic_evaluators::closed_form::closed_form(&inputs(section));
-    let squares = no_wind_modes(&NoWindModesInputs::from(&NoWindModesAngles {
-        r: p.radius_of_gyration,
-        L_g: p.mass_centre_distance,
-        alpha_g: p.mass_centre_angle,
-        theta_0: p.attitude,
-        omega_n,
-    }));
-    let eigenvalues = [
-        Complex::new(parts.lamda_R1, squares.Omega_1.sqrt()),
-        Complex::new(parts.lamda_R2, squares.Omega_2.sqrt()),
-        Complex::new(parts.lamda_R3, squares.Omega_3.sqrt()),
-    ];
+    let s_a = given.scaled_damping();
+    let parts = evaluated(&given.closed_form_inputs(&s_a));
+    let parts = [parts.lamda_R1, parts.lamda_R2, parts.lamda_R3];
+    let squares = given.squares_without_wind(omega_n);
+    let mode = |place: usize| Complex::new(parts[place], squares[place].sqrt());
+    let eigenvalues = [0, 1, 2].map(mode);
     Ok(ClosedForm {
         eigenvalues,
-        warnings: warnings(section, &eigenvalues),
+        warnings: warnings(p, norm(&s_a), &eigenvalues),
     })
 }
 
 /// What the evaluator of Eqs. (21)–(23) takes, of a section.
-#[allow(non_snake_case)]
 pub fn inputs(section: &Section) -> ClosedFormInputs<f64> {
-    let p = section.parameters();
-    let [[S_xx, S_xy, S_xt], [S_yx, S_yy, S_yt], [S_tx, S_ty, S_tt]] = section.scaled_damping();
-    ClosedFormInputs::from(&ClosedFormAngles {
-        m: p.mass,
-        r: p.radius_of_gyration,
-        L_g: p.mass_centre_distance,
-        alpha_g: p.mass_centre_angle,
-        theta_0: p.attitude,
-        rho: p.air_density,
-        D: p.reference_dimension,
-        U: p.wind_speed,
-        S_xx,
-        S_xy,
-        S_yx,
-        S_yy,
-        S_xt,
-        S_yt,
-        S_tx,
-        S_ty,
-        S_tt,
-    })
+    let given = Given::of(section.parameters());
+    given.closed_form_inputs(&given.scaled_damping())
 }
 
-/// What speaks against the closed forms where they apply.
-fn warnings(section: &Section, eigenvalues: &[Complex<f64>; 3]) -> Vec<Limitation> {
-    let ratios = &section.parameters().damping_ratios;
-    let is_damped = ratios.iter().any(|&ratio| ratio > 0.0);
-    let eccentricity = section.eccentricity();
-    let size = section.scaled_damping_norm();
-    let damping = section.relative_wind() * size;
+/// What speaks against the closed forms where they apply; `size` is |S_a|.
+fn warnings(p: &Parameters, size: f64, eigenvalues: &[Complex<f64>; 3]) -> Vec<Limitation> {
+    let is_damped = p.damping_ratios.iter().any(|&ratio| ratio > 0.0);
+    let small = p.small_quantities();
+    let (eccentricity, damping) = (small.e, small.delta * size);
     let second_order = (damping / eccentricity).powi(2);
     let largest = |number: fn(&Complex<f64>) -> f64| {
         let numbers = eigenvalues.iter().map(number);
         numbers.fold(f64::NEG_INFINITY, f64::max)
     };
-    let coefficient = section.damping_coefficient(largest(|value| value.re));
+    let coefficient = p.damping_coefficient(largest(|value| value.re));
     let share = largest(|value| value.re.abs() / value.im);
     let outside = if eccentricity <= damping {
         Some(Limitation::Eccentricity {
@@ -251,7 +228,7 @@ fn warnings(section: &Section, eigenvalues: &[Complex<f64>; 3]) -> Vec<Limitatio
         None
     };
     let damped = is_damped.then_some(Limitation::StructuralDamping);
-    let is_stiffened = section.parameters().aerodynamic_stiffness;
+    let is_stiffened = p.aerodynamic_stiffness;
     let stiffened = is_stiffened.then_some(Limitation::AerodynamicStiffness);
     let strong = (share > STRONG).then_some(Limitation::StrongDamping { damping: share });
     let left_out = damped.into_iter().chain(stiffened);

@@ -3,16 +3,14 @@
 use nalgebra::DMatrix;
 use num_complex::Complex;
 use polynomial::Polynomial;
-use sextic_evaluators::characteristic_polynomial::{
-    CharacteristicPolynomialAngles, CharacteristicPolynomialInputs,
-    characteristic_polynomial as evaluated,
-};
+use sextic_evaluators::characteristic_polynomial::characteristic_polynomial as evaluated;
 
 use super::ball::Ball;
 use super::eigenvalue::{Spectrum, best_spectrum};
 use super::enclosure::error_bounds;
 use super::error::StabilityError;
 use super::forces::Forces;
+use super::given::Given;
 use super::model::Model;
 use super::schur::approximate_eigenvalues;
 
@@ -76,36 +74,12 @@ fn coefficients(model: &Model) -> [Ball; 7] {
     if !p.free.are_all() || p.aerodynamic_stiffness {
         return model.taylor(Ball::ZERO);
     }
-    let unit = model.frequency_unit;
-    let [omega_x, omega_y, omega_theta] = p.natural_frequencies.map(|omega| omega / unit);
-    let [zeta_x, zeta_y, zeta_theta] = p.damping_ratios;
-    let angles = CharacteristicPolynomialAngles {
-        m: p.mass,
-        r: p.radius_of_gyration,
-        L_g: p.mass_centre_distance,
-        alpha_0: p.wind_angle,
-        alpha_g: p.mass_centre_angle,
-        theta_0: p.attitude,
-        gamma_r: p.aerodynamic_centre_angle,
-        omega_x,
-        omega_y,
-        omega_theta,
-        zeta_x,
-        zeta_y,
-        zeta_theta,
-        rho: p.air_density,
-        D: p.reference_dimension,
-        // The damping of the wind goes with U over the unit of frequency.
-        U: p.wind_speed / unit,
-        L_a: p.aerodynamic_centre_distance,
-        C_D: c.drag,
-        C_L: c.lift,
-        dC_D: c.drag_slope,
-        dC_L: c.lift_slope,
-        C_M: c.moment,
-        dC_M: c.moment_slope,
-    };
-    let out = evaluated(&CharacteristicPolynomialInputs::from(&angles));
+    let mut given = Given::of(p);
+    // The damping of the wind goes with U over the unit of frequency.
+    let per_unit = |own: f64| own / model.frequency_unit;
+    given.parameters.natural_frequencies = p.natural_frequencies.map(per_unit);
+    given.parameters.wind_speed = per_unit(p.wind_speed);
+    let out = evaluated(&given.characteristic_polynomial_inputs(&c));
     let values = [out.c_0, out.c_1, out.c_2, out.c_3, out.c_4, out.c_5];
     let determinant = model.taylor(Ball::ZERO);
     let leading = determinant[6];

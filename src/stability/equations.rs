@@ -1,19 +1,17 @@
 //! The equations of motion of a section, M q̈ + (C_s + C_a) q̇ + (K + K_a) q = 0, as they were derived and compiled.
-//!
-//! This file only binds the quantities of a section to the inputs of emitted functions.
 
 use std::cell::RefCell;
 
 use sextic_codegen::arithmetic::Arithmetic as Numbers;
-use sextic_evaluators::aerodynamic_damping::{AerodynamicDampingInputs, aerodynamic_damping_body};
+use sextic_evaluators::aerodynamic_damping::aerodynamic_damping_body;
 use sextic_evaluators::arithmetic::Arithmetic;
-use sextic_evaluators::no_wind_modes::{NoWindModesInputs, no_wind_modes_body};
-use sextic_evaluators::section_matrices::{SectionMatricesInputs, section_matrices_body};
-use sextic_evaluators::turn_stiffness::{TurnStiffnessInputs, turn_stiffness_body};
+use sextic_evaluators::no_wind_modes::no_wind_modes_body;
+use sextic_evaluators::section_matrices::section_matrices_body;
+use sextic_evaluators::turn_stiffness::turn_stiffness_body;
 
 use super::forces::Forces;
+use super::given::Given;
 use super::recorded::{self, Recorded};
-use super::section::{Coefficients, Parameters};
 
 /// A matrix for x, y and rθ.
 pub(super) type Matrix<T> = [[T; 3]; 3];
@@ -34,48 +32,10 @@ pub(super) struct Equations<T> {
     pub aerodynamic_stiffness: Matrix<T>,
 }
 
-/// A section in the numbers that its equations are wanted in; its angles count by their directions only.
-#[derive(Clone, Debug)]
-pub(super) struct Given<T> {
-    pub parameters: Parameters<T>,
-    /// cos and sin of α_0.
-    pub wind: [T; 2],
-    /// cos and sin of α_g + θ_0.
-    pub mass_centre: [T; 2],
-    /// cos and sin of γ_r + θ_0.
-    pub aerodynamic_centre: [T; 2],
-}
-
-impl<T> Given<T> {
-    /// Parameters, by a function for numbers, and one for cosine and sine of a sum of angles.
-    pub fn new<N>(
-        p: &Parameters<N>,
-        number: impl Fn(&N) -> T,
-        direction: impl Fn(&[&N]) -> [T; 2],
-    ) -> Self {
-        Given {
-            parameters: p.map(number),
-            wind: direction(&[&p.wind_angle]),
-            mass_centre: direction(&[&p.mass_centre_angle, &p.attitude]),
-            aerodynamic_centre: direction(&[&p.aerodynamic_centre_angle, &p.attitude]),
-        }
-    }
-
-    fn map<U>(&self, number: impl Fn(&T) -> U) -> Given<U> {
-        let both = |own: &[T; 2]| own.each_ref().map(&number);
-        Given {
-            wind: both(&self.wind),
-            mass_centre: both(&self.mass_centre),
-            aerodynamic_centre: both(&self.aerodynamic_centre),
-            parameters: self.parameters.map(&number),
-        }
-    }
-}
-
 impl<T: Arithmetic> Given<T> {
     /// The matrices.
     pub fn equations(&self) -> Equations<T> {
-        let own = section_matrices_body(&self.section_inputs());
+        let own = section_matrices_body(&self.section_matrices_inputs(&self.scaled_damping()));
         let [k_x, k_y, k_t] = self.turn_stiffness();
         let zero = T::constant(0.0);
         Equations {
@@ -103,31 +63,24 @@ impl<T: Arithmetic> Given<T> {
         }
     }
 
+    /// The squares of the circular frequencies without wind if ω_n is the natural frequency of all motions, Eq. (15).
+    pub fn squares_without_wind(&self, omega_n: T) -> [T; 3] {
+        let own = no_wind_modes_body(&self.no_wind_modes_inputs(omega_n));
+        [own.Omega_1, own.Omega_2, own.Omega_3]
+    }
+
     /// S_a, Eq. (18): as it is given, or from the coefficients.
     pub fn scaled_damping(&self) -> Matrix<T> {
         let c = match &self.parameters.forces {
             Forces::ScaledDamping(rows) => return *rows,
             Forces::Coefficients(c) => c,
         };
-        let own = aerodynamic_damping_body(&self.damping_inputs(c));
+        let own = aerodynamic_damping_body(&self.aerodynamic_damping_inputs(c));
         [
             [own.S_xx, own.S_xy, own.S_xt],
             [own.S_yx, own.S_yy, own.S_yt],
             [own.S_tx, own.S_ty, own.S_tt],
         ]
-    }
-
-    /// The squares of the circular frequencies without wind if ω_n is the natural frequency of all motions, Eq. (15).
-    fn squares_without_wind(&self, omega_n: T) -> [T; 3] {
-        let [cosine, sine] = self.mass_centre;
-        let own = no_wind_modes_body(&NoWindModesInputs {
-            r: self.parameters.radius_of_gyration,
-            L_g: self.parameters.mass_centre_distance,
-            cos_alpha_g_plus_theta_0: cosine,
-            sin_alpha_g_plus_theta_0: sine,
-            omega_n,
-        });
-        [own.Omega_1, own.Omega_2, own.Omega_3]
     }
 
     /// The column of the turn in K_a over the mass.
@@ -136,72 +89,8 @@ impl<T: Arithmetic> Given<T> {
         let (Forces::Coefficients(c), true) = (&p.forces, p.aerodynamic_stiffness) else {
             return [T::constant(0.0); 3];
         };
-        let own = turn_stiffness_body(&TurnStiffnessInputs {
-            m: p.mass,
-            r: p.radius_of_gyration,
-            cos_alpha_0: self.wind[0],
-            sin_alpha_0: self.wind[1],
-            rho: p.air_density,
-            D: p.reference_dimension,
-            U: p.wind_speed,
-            dC_D: c.drag_slope,
-            dC_L: c.lift_slope,
-            dC_M: c.moment_slope,
-        });
+        let own = turn_stiffness_body(&self.turn_stiffness_inputs(c));
         [own.K_xtheta, own.K_ytheta, own.K_thetatheta]
-    }
-
-    #[allow(non_snake_case)]
-    fn section_inputs(&self) -> SectionMatricesInputs<T> {
-        let p = &self.parameters;
-        let [cosine, sine] = self.mass_centre;
-        let [omega_x, omega_y, omega_theta] = p.natural_frequencies;
-        let [zeta_x, zeta_y, zeta_theta] = p.damping_ratios;
-        let [[S_xx, S_xy, S_xt], [S_yx, S_yy, S_yt], [S_tx, S_ty, S_tt]] = self.scaled_damping();
-        SectionMatricesInputs {
-            m: p.mass,
-            r: p.radius_of_gyration,
-            L_g: p.mass_centre_distance,
-            cos_alpha_g_plus_theta_0: cosine,
-            sin_alpha_g_plus_theta_0: sine,
-            omega_x,
-            omega_y,
-            omega_theta,
-            zeta_x,
-            zeta_y,
-            zeta_theta,
-            rho: p.air_density,
-            D: p.reference_dimension,
-            U: p.wind_speed,
-            S_xx,
-            S_xy,
-            S_yx,
-            S_yy,
-            S_xt,
-            S_yt,
-            S_tx,
-            S_ty,
-            S_tt,
-        }
-    }
-
-    fn damping_inputs(&self, c: &Coefficients<T>) -> AerodynamicDampingInputs<T> {
-        let p = &self.parameters;
-        AerodynamicDampingInputs {
-            r: p.radius_of_gyration,
-            cos_alpha_0: self.wind[0],
-            sin_alpha_0: self.wind[1],
-            cos_gamma_r_plus_theta_0: self.aerodynamic_centre[0],
-            sin_gamma_r_plus_theta_0: self.aerodynamic_centre[1],
-            D: p.reference_dimension,
-            L_a: p.aerodynamic_centre_distance,
-            C_D: c.drag,
-            C_L: c.lift,
-            dC_D: c.drag_slope,
-            dC_L: c.lift_slope,
-            C_M: c.moment,
-            dC_M: c.moment_slope,
-        }
     }
 }
 

@@ -5,12 +5,13 @@ use std::iter::once;
 
 use num_complex::Complex;
 use sextic_evaluators::exact_modes::exact_modes;
-use sextic_evaluators::scaled_entries::{ScaledEntriesAngles, ScaledEntriesInputs};
+use sextic_evaluators::scaled_entries::ScaledEntriesInputs;
 
 use super::ball::Ball;
 use super::eigenvalue::{Spectrum, best_spectrum};
 use super::enclosure::error_bounds;
 use super::error::StabilityError;
+use super::given::Given;
 use super::model::Model;
 use super::section::Section;
 use super::state_matrix;
@@ -91,35 +92,7 @@ fn iterated(model: &Model) -> Result<Spectrum, Fallback> {
 }
 
 /// What the evaluators of exact modes take, of a section.
-#[allow(non_snake_case)]
 pub fn inputs(section: &Section) -> ScaledEntriesInputs<f64> {
-    let p = section.parameters();
-    let [[S_xx, S_xy, S_xt], [S_yx, S_yy, S_yt], [S_tx, S_ty, S_tt]] = section.scaled_damping();
-    let [omega_x, omega_y, omega_theta] = p.natural_frequencies;
-    let [zeta_x, zeta_y, zeta_theta] = p.damping_ratios;
-    ScaledEntriesInputs::from(&ScaledEntriesAngles {
-        m: p.mass,
-        r: p.radius_of_gyration,
-        L_g: p.mass_centre_distance,
-        alpha_g: p.mass_centre_angle,
-        theta_0: p.attitude,
-        omega_x,
-        omega_y,
-        omega_theta,
-        zeta_x,
-        zeta_y,
-        zeta_theta,
-        rho: p.air_density,
-        D: p.reference_dimension,
-        U: p.wind_speed,
-        S_xx,
-        S_xy,
-        S_yx,
-        S_yy,
-        S_xt,
-        S_yt,
-        S_tx,
-        S_ty,
-        S_tt,
-    })
+    let given = Given::of(section.parameters());
+    given.scaled_entries_inputs(&given.scaled_damping())
 }

@@ -11,8 +11,9 @@ use crate::algebra::number::{Integer, Rational};
 use crate::algebra::trigonometric_sum::{TrigonometricSum as Sum, TrigonometricSums};
 use crate::algebra::univariate::Univariate;
 
-use super::equations::{Equations, Given};
+use super::equations::Equations;
 use super::error::StabilityError;
+use super::given::Given;
 use super::in_speed::{InSpeed, InSpeeds};
 use super::section::{Parameters, Section};
 use super::system::arithmetic::NoValue;

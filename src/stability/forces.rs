@@ -1,6 +1,6 @@
 //! What the wind does to a section.
 
-use super::equations::Given;
+use super::given::Given;
 use super::section::{Coefficients, Section};
 
 /// What is known of the forces of the wind.
@@ -68,11 +68,7 @@ impl<T> From<Coefficients<T>> for Forces<T> {
 impl Section {
     /// S_a of Eq. (18), dimensionless, for the coordinates x, y and rθ: as given, or from the coefficients.
     pub fn scaled_damping(&self) -> [[f64; 3]; 3] {
-        let direction = |angles: &[&f64]| {
-            let sum: f64 = angles.iter().copied().sum();
-            [sum.cos(), sum.sin()]
-        };
-        Given::new(self.parameters(), f64::clone, direction).scaled_damping()
+        Given::of(self.parameters()).scaled_damping()
     }
 
     /// δ|S_a| with [δ](Self::relative_wind) and the Frobenius norm of S_a: how much of itself a motion loses or
@@ -83,8 +79,12 @@ impl Section {
 
     /// |S_a|, the Frobenius norm of [`Section::scaled_damping`].
     pub fn scaled_damping_norm(&self) -> f64 {
-        let entries = self.scaled_damping();
-        let squares = entries.as_flattened().iter().map(|own| own * own);
-        squares.sum::<f64>().sqrt()
+        norm(&self.scaled_damping())
     }
+}
+
+/// The Frobenius norm.
+pub(super) fn norm(matrix: &[[f64; 3]; 3]) -> f64 {
+    let squares = matrix.as_flattened().iter().map(|own| own * own);
+    squares.sum::<f64>().sqrt()
 }

@@ -2,12 +2,12 @@
 
 use super::axis::Axis;
 use super::case::Case;
-use super::closed_form::{Estimate, closed_form};
+use super::closed_form::{Estimate, closed_form_of};
 use super::coefficient_table::CoefficientTable;
 use super::companion;
 use super::comparison::{NO_WIND, Value, modes_of};
 use super::coordinate::Coordinate;
-use super::error::StabilityError;
+use super::given::Given;
 use super::input::{InputError, Place};
 use super::interpolation::CoefficientCurves;
 use super::model::Model;
@@ -62,8 +62,11 @@ pub struct GridPoint {
 #[derive(Clone, Debug)]
 pub struct Grid<'a> {
     case: &'a Case,
-    curves: CoefficientCurves,
     axes: Vec<Axis>,
+    /// The case at each angle.
+    angles: Vec<Given<f64>>,
+    /// Whether an axis turns the section or its aerodynamic centre.
+    turns: bool,
     rows: Rows,
     methods: Methods,
 }
@@ -114,27 +117,49 @@ impl<'a> Grid<'a> {
             let what = format!("the grid has more than {MOST_POINTS} points");
             return Err(wrong(what, "take fewer values, or sweep a part of it"));
         }
-        let curves = CoefficientCurves::new(table, case.interpolation);
-        let grid = Grid {
+        let mut grid = Grid {
             case,
-            curves,
             axes,
+            angles: Vec::new(),
+            turns: false,
             rows,
             methods,
         };
-        grid.check(table)?;
+        grid.angles = grid.case_at_angles(table)?;
+        grid.turns = grid.turns();
+        grid.check_corners()?;
         Ok(grid)
     }
 
-    /// All angles are in the table, and all corners are possible sections.
-    fn check(&self, table: &CoefficientTable) -> Result<(), InputError> {
-        let (angles, others) = self.angles_and_others();
-        for &angle in angles {
-            self.curves.at(angle).map_err(|outside| {
+    /// The case at all angles, which must be in the table.
+    fn case_at_angles(&self, table: &CoefficientTable) -> Result<Vec<Given<f64>>, InputError> {
+        let curves = CoefficientCurves::new(table, self.case.interpolation);
+        let (angles, _) = self.angles_and_others();
+        let at = |&angle: &f64| {
+            let coefficients = curves.at(angle).map_err(|outside| {
                 let help = "vary alpha_deg within the table, or complete it";
                 InputError::new(Place::file(table.file()), outside.to_string(), help)
             })?;
+            Ok(Given::of(&self.case.parameters_at(angle, coefficients)))
+        };
+        angles.iter().map(at).collect()
+    }
+
+    /// Whether directions depend on an axis besides the angle.
+    fn turns(&self) -> bool {
+        let (_, others) = self.angles_and_others();
+        let mut moved = Parameters::default();
+        for axis in others {
+            axis.variable.set(&mut moved, f64::NAN);
         }
+        let given = Given::of(&moved);
+        let directions = [given.wind, given.mass_centre, given.aerodynamic_centre];
+        directions.as_flattened().iter().any(|own| own.is_nan())
+    }
+
+    /// All corners are possible sections.
+    fn check_corners(&self) -> Result<(), InputError> {
+        let (_, others) = self.angles_and_others();
         // Each limit is on one quantity, or on L_g against r: the corners keep it if all points do.
         let mut corners = vec![Vec::new()];
         for axis in others {
@@ -162,9 +187,9 @@ impl<'a> Grid<'a> {
                     "correct --vary or the case",
                 )
             };
-            let section = self.section(&[corner.as_slice(), &angles[..1]].concat());
-            let section = section.map_err(|error| refuse(&error.to_string()))?;
-            if section.parameters().wind_speed == 0.0 {
+            let parameters = self.given(&corner, 0).parameters;
+            Section::new(parameters).map_err(|error| refuse(&error.to_string()))?;
+            if parameters.wind_speed == 0.0 {
                 return Err(refuse(NO_WIND));
             }
         }
@@ -258,7 +283,7 @@ impl<'a> Grid<'a> {
             *value = axis.values()[(rest % count) as usize];
             rest /= count;
         }
-        let section = self.section(&values);
+        let given = self.given(&values, (number % self.angles.len() as u64) as usize);
         let mut point = GridPoint {
             values,
             exact: None,
@@ -267,36 +292,37 @@ impl<'a> Grid<'a> {
             uniform: Estimate::default(),
             critical: None,
         };
-        if let Ok(section) = section {
-            self.answer(&section, &mut point);
+        if self.methods.closed {
+            point.closed = Estimate::new(&given.parameters, closed_form_of(&given));
+        }
+        if self.methods.exact || self.methods.companion || self.methods.uniform {
+            self.answer(&given.parameters, &mut point);
         }
         point
     }
 
-    /// The section with these values, that of the angle last.
-    fn section(&self, values: &[f64]) -> Result<Section, StabilityError> {
-        let angle = values[values.len() - 1];
-        let coefficients = self.curves.at(angle).unwrap_or_default();
-        let mut parameters: Parameters = self.case.parameters_at(angle, coefficients);
+    /// The case with these values, at the angle of this place.
+    fn given(&self, values: &[f64], angle: usize) -> Given<f64> {
+        let mut given = self.angles[angle];
         for (axis, &value) in self.axes.iter().zip(values) {
-            axis.variable.set(&mut parameters, value);
+            axis.variable.set(&mut given.parameters, value);
         }
-        Section::new(parameters)
+        match self.turns {
+            true => Given::of(&given.parameters),
+            false => given,
+        }
     }
 
-    fn answer(&self, section: &Section, point: &mut GridPoint) {
-        if self.methods.closed {
-            point.closed = Estimate::new(section, closed_form(section));
-        }
-        if !self.methods.exact && !self.methods.companion && !self.methods.uniform {
-            return;
-        }
-        let Ok(model) = Model::new(section) else {
+    /// What the methods say that take a model.
+    fn answer(&self, parameters: &Parameters, point: &mut GridPoint) {
+        let model = Section::new(*parameters).and_then(|section| Model::new(&section));
+        let Ok(model) = model else {
             return;
         };
+        let section = model.section();
         let value = |(value, error)| Value { value, error };
         if self.methods.uniform {
-            point.uniform = Estimate::new(section, uniform_form(&model));
+            point.uniform = Estimate::new(parameters, uniform_form(&model));
         }
         if self.methods.companion {
             let spectrum = companion::eigenvalues(&model).ok();

@@ -21,6 +21,7 @@ pub mod error;
 pub mod exact_modes;
 pub mod exact_section;
 pub mod forces;
+mod given;
 pub mod grid;
 mod half_plane;
 mod hurwitz;

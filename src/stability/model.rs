@@ -5,8 +5,9 @@ use sextic_evaluators::bounded::Bounded;
 
 use super::ball::{Ball, cosine_and_sine};
 use super::coordinate::Coordinate;
-use super::equations::{Given, Matrix};
+use super::equations::Matrix;
 use super::error::StabilityError;
+use super::given::Given;
 use super::section::Section;
 
 /// The matrices of a section for its free coordinates.

@@ -74,8 +74,20 @@ impl<T> Parameters<T> {
 }
 
 impl Parameters {
-    /// e and δ of the first free coordinate, without a check.
-    pub(super) fn small_quantities(&self) -> SmallQuantitiesOutputs<f64> {
+    /// As [`Section::damping_coefficient`], without a check of the parameters.
+    pub fn damping_coefficient(&self, real_part: f64) -> Option<f64> {
+        let coefficient = damping_coefficient(&DampingCoefficientInputs {
+            m: self.mass,
+            rho: self.air_density,
+            D: self.reference_dimension,
+            U: self.wind_speed,
+            lamda_R: real_part,
+        });
+        (self.wind_speed > 0.0 && coefficient.S.is_finite()).then_some(coefficient.S)
+    }
+
+    /// e = L_g/r and δ = ρDU/(2mω) with the frequency of the first free coordinate, without a check of the parameters.
+    pub fn small_quantities(&self) -> SmallQuantitiesOutputs<f64> {
         small_quantities(&SmallQuantitiesInputs {
             r: self.radius_of_gyration,
             L_g: self.mass_centre_distance,
@@ -233,15 +245,7 @@ impl Section {
     /// With the largest real part of all modes it is S_3D (S_2D for two free coordinates), with the
     /// error of that real part its error but for the sign. The section gallops if S_3D < 0.
     pub fn damping_coefficient(&self, real_part: f64) -> Option<f64> {
-        let p = &self.0;
-        let coefficient = damping_coefficient(&DampingCoefficientInputs {
-            m: p.mass,
-            rho: p.air_density,
-            D: p.reference_dimension,
-            U: p.wind_speed,
-            lamda_R: real_part,
-        });
-        (p.wind_speed > 0.0 && coefficient.S.is_finite()).then_some(coefficient.S)
+        self.0.damping_coefficient(real_part)
     }
 }
 

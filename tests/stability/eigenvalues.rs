@@ -110,6 +110,9 @@ fn wind_that_is_hardly_a_number_is_out_of_range() {
         wind_speed,
         ..usual
     });
-    let model = Model::new(&section.expect("a section"));
-    assert!(matches!(model, Err(StabilityError::OutOfRange)));
+    let section = section.expect("a section");
+    // Its eigenvalues have bounds, but S, which is divided by it, has no digit.
+    let model = Model::new(&section).expect("a model");
+    let spectrum = state_matrix::eigenvalues(&model).expect("eigenvalues");
+    assert_eq!(spectrum.damping_coefficient(&section), None);
 }

@@ -106,8 +106,8 @@ impl Answers {
         // No wind is refused before.
         let exact = value(&spectrum).ok_or(StabilityError::OutOfRange)?;
         let companion = companion::eigenvalues(&model).ok();
-        let closed = Estimate::new(section, closed_form(section));
-        let uniform = Estimate::new(section, uniform_form(&model));
+        let closed = Estimate::new(section.parameters(), closed_form(section));
+        let uniform = Estimate::new(section.parameters(), uniform_form(&model));
         let scaled_damping = section.scaled_damping_norm();
         let ratio = section.relative_wind() * scaled_damping / section.eccentricity();
         Ok(Answers {

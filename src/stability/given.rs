@@ -1,0 +1,239 @@
+//! A section in the numbers that something is wanted in, bound to the inputs of emitted functions.
+//!
+//! Here, and nowhere else, the names of a section meet those of what was derived.
+
+use sextic_evaluators::aerodynamic_damping::AerodynamicDampingInputs;
+use sextic_evaluators::characteristic_polynomial::CharacteristicPolynomialInputs;
+use sextic_evaluators::closed_form::ClosedFormInputs;
+use sextic_evaluators::no_wind_modes::NoWindModesInputs;
+use sextic_evaluators::scaled_entries::ScaledEntriesInputs;
+use sextic_evaluators::section_matrices::SectionMatricesInputs;
+use sextic_evaluators::turn_stiffness::TurnStiffnessInputs;
+
+use super::equations::Matrix;
+use super::section::{Coefficients, Parameters};
+
+/// A section in the numbers that its equations are wanted in; its angles count by their directions only.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Given<T> {
+    pub parameters: Parameters<T>,
+    /// cos and sin of α_0.
+    pub wind: [T; 2],
+    /// cos and sin of α_g + θ_0.
+    pub mass_centre: [T; 2],
+    /// cos and sin of γ_r + θ_0.
+    pub aerodynamic_centre: [T; 2],
+}
+
+impl<T> Given<T> {
+    /// Parameters, by a function for numbers, and one for cosine and sine of a sum of angles.
+    pub fn new<N>(
+        p: &Parameters<N>,
+        number: impl Fn(&N) -> T,
+        direction: impl Fn(&[&N]) -> [T; 2],
+    ) -> Self {
+        Given {
+            parameters: p.map(number),
+            wind: direction(&[&p.wind_angle]),
+            mass_centre: direction(&[&p.mass_centre_angle, &p.attitude]),
+            aerodynamic_centre: direction(&[&p.aerodynamic_centre_angle, &p.attitude]),
+        }
+    }
+
+    /// The same in other numbers.
+    pub fn map<U>(&self, number: impl Fn(&T) -> U) -> Given<U> {
+        let both = |own: &[T; 2]| own.each_ref().map(&number);
+        Given {
+            wind: both(&self.wind),
+            mass_centre: both(&self.mass_centre),
+            aerodynamic_centre: both(&self.aerodynamic_centre),
+            parameters: self.parameters.map(&number),
+        }
+    }
+}
+
+impl Given<f64> {
+    /// A section in doubles.
+    pub fn of(parameters: &Parameters) -> Self {
+        Given::new(parameters, f64::clone, |angles| {
+            let sum: f64 = angles.iter().copied().sum();
+            [sum.cos(), sum.sin()]
+        })
+    }
+}
+
+#[allow(non_snake_case)]
+impl<T: Copy> Given<T> {
+    /// With S_a.
+    pub fn section_matrices_inputs(&self, s_a: &Matrix<T>) -> SectionMatricesInputs<T> {
+        let p = &self.parameters;
+        let [cosine, sine] = self.mass_centre;
+        let [omega_x, omega_y, omega_theta] = p.natural_frequencies;
+        let [zeta_x, zeta_y, zeta_theta] = p.damping_ratios;
+        let [[S_xx, S_xy, S_xt], [S_yx, S_yy, S_yt], [S_tx, S_ty, S_tt]] = *s_a;
+        SectionMatricesInputs {
+            m: p.mass,
+            r: p.radius_of_gyration,
+            L_g: p.mass_centre_distance,
+            cos_alpha_g_plus_theta_0: cosine,
+            sin_alpha_g_plus_theta_0: sine,
+            omega_x,
+            omega_y,
+            omega_theta,
+            zeta_x,
+            zeta_y,
+            zeta_theta,
+            rho: p.air_density,
+            D: p.reference_dimension,
+            U: p.wind_speed,
+            S_xx,
+            S_xy,
+            S_yx,
+            S_yy,
+            S_xt,
+            S_yt,
+            S_tx,
+            S_ty,
+            S_tt,
+        }
+    }
+
+    /// With S_a.
+    pub fn scaled_entries_inputs(&self, s_a: &Matrix<T>) -> ScaledEntriesInputs<T> {
+        let own = self.section_matrices_inputs(s_a);
+        ScaledEntriesInputs {
+            m: own.m,
+            r: own.r,
+            L_g: own.L_g,
+            cos_alpha_g_plus_theta_0: own.cos_alpha_g_plus_theta_0,
+            sin_alpha_g_plus_theta_0: own.sin_alpha_g_plus_theta_0,
+            omega_x: own.omega_x,
+            omega_y: own.omega_y,
+            omega_theta: own.omega_theta,
+            zeta_x: own.zeta_x,
+            zeta_y: own.zeta_y,
+            zeta_theta: own.zeta_theta,
+            rho: own.rho,
+            D: own.D,
+            U: own.U,
+            S_xx: own.S_xx,
+            S_xy: own.S_xy,
+            S_yx: own.S_yx,
+            S_yy: own.S_yy,
+            S_xt: own.S_xt,
+            S_yt: own.S_yt,
+            S_tx: own.S_tx,
+            S_ty: own.S_ty,
+            S_tt: own.S_tt,
+        }
+    }
+
+    /// With S_a.
+    pub fn closed_form_inputs(&self, s_a: &Matrix<T>) -> ClosedFormInputs<T> {
+        let own = self.section_matrices_inputs(s_a);
+        ClosedFormInputs {
+            m: own.m,
+            r: own.r,
+            L_g: own.L_g,
+            cos_alpha_g_plus_theta_0: own.cos_alpha_g_plus_theta_0,
+            sin_alpha_g_plus_theta_0: own.sin_alpha_g_plus_theta_0,
+            rho: own.rho,
+            D: own.D,
+            U: own.U,
+            S_xx: own.S_xx,
+            S_xy: own.S_xy,
+            S_yx: own.S_yx,
+            S_yy: own.S_yy,
+            S_xt: own.S_xt,
+            S_yt: own.S_yt,
+            S_tx: own.S_tx,
+            S_ty: own.S_ty,
+            S_tt: own.S_tt,
+        }
+    }
+
+    /// With coefficients.
+    pub fn aerodynamic_damping_inputs(&self, c: &Coefficients<T>) -> AerodynamicDampingInputs<T> {
+        let p = &self.parameters;
+        AerodynamicDampingInputs {
+            r: p.radius_of_gyration,
+            cos_alpha_0: self.wind[0],
+            sin_alpha_0: self.wind[1],
+            cos_gamma_r_plus_theta_0: self.aerodynamic_centre[0],
+            sin_gamma_r_plus_theta_0: self.aerodynamic_centre[1],
+            D: p.reference_dimension,
+            L_a: p.aerodynamic_centre_distance,
+            C_D: c.drag,
+            C_L: c.lift,
+            dC_D: c.drag_slope,
+            dC_L: c.lift_slope,
+            C_M: c.moment,
+            dC_M: c.moment_slope,
+        }
+    }
+
+    /// With coefficients.
+    pub fn turn_stiffness_inputs(&self, c: &Coefficients<T>) -> TurnStiffnessInputs<T> {
+        let p = &self.parameters;
+        TurnStiffnessInputs {
+            m: p.mass,
+            r: p.radius_of_gyration,
+            cos_alpha_0: self.wind[0],
+            sin_alpha_0: self.wind[1],
+            rho: p.air_density,
+            D: p.reference_dimension,
+            U: p.wind_speed,
+            dC_D: c.drag_slope,
+            dC_L: c.lift_slope,
+            dC_M: c.moment_slope,
+        }
+    }
+
+    /// With the natural frequency of all motions.
+    pub fn no_wind_modes_inputs(&self, omega_n: T) -> NoWindModesInputs<T> {
+        NoWindModesInputs {
+            r: self.parameters.radius_of_gyration,
+            L_g: self.parameters.mass_centre_distance,
+            cos_alpha_g_plus_theta_0: self.mass_centre[0],
+            sin_alpha_g_plus_theta_0: self.mass_centre[1],
+            omega_n,
+        }
+    }
+
+    /// With coefficients.
+    pub fn characteristic_polynomial_inputs(
+        &self,
+        c: &Coefficients<T>,
+    ) -> CharacteristicPolynomialInputs<T> {
+        let p = &self.parameters;
+        let [omega_x, omega_y, omega_theta] = p.natural_frequencies;
+        let [zeta_x, zeta_y, zeta_theta] = p.damping_ratios;
+        CharacteristicPolynomialInputs {
+            m: p.mass,
+            r: p.radius_of_gyration,
+            L_g: p.mass_centre_distance,
+            cos_alpha_0: self.wind[0],
+            sin_alpha_0: self.wind[1],
+            cos_alpha_g_plus_theta_0: self.mass_centre[0],
+            sin_alpha_g_plus_theta_0: self.mass_centre[1],
+            cos_gamma_r_plus_theta_0: self.aerodynamic_centre[0],
+            sin_gamma_r_plus_theta_0: self.aerodynamic_centre[1],
+            omega_x,
+            omega_y,
+            omega_theta,
+            zeta_x,
+            zeta_y,
+            zeta_theta,
+            rho: p.air_density,
+            D: p.reference_dimension,
+            U: p.wind_speed,
+            L_a: p.aerodynamic_centre_distance,
+            C_D: c.drag,
+            C_L: c.lift,
+            dC_D: c.drag_slope,
+            dC_L: c.lift_slope,
+            C_M: c.moment,
+            dC_M: c.moment_slope,
+        }
+    }
+}
