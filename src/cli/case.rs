@@ -6,10 +6,10 @@ use crate::language::diagnostic::SourceFile;
 use crate::stability::case::Case;
 use crate::stability::coefficient_table::CoefficientTable;
 use crate::stability::coefficient_table::remarks::remarks;
-use crate::stability::input::{InputError, Remark, shortened};
+use crate::stability::input::{InputError, Place, Remark, shortened};
 
 use super::Outcome;
-use super::file::{read_text, spare};
+use super::file::{read_foreign_text, read_text, spare};
 use super::output::{complain, wrong};
 
 /// A case and its table from the disk, for a command that writes to `outputs`: what is odd about them is written
@@ -45,7 +45,7 @@ pub fn case_and_files(
     for output in outputs {
         spare(output, &[path, &table])?;
     }
-    let text = read_text(
+    let (text, encoding) = read_foreign_text(
         &table,
         &format!(
             "a table in {}, relative to its folder",
@@ -53,6 +53,11 @@ pub fn case_and_files(
         ),
     )?;
     let table_file = SourceFile::new(table.to_string_lossy(), text);
+    if let Some(encoding) = encoding {
+        let what = format!("it is not in UTF-8, and is read in {encoding}");
+        let place = Place::file(&table_file.path);
+        warn(&[Remark { place, what }]);
+    }
     let table = CoefficientTable::read(&table_file.path, &table_file.text)
         .map_err(|error| refuse(&error))?;
     Ok((case, table, [case_file, table_file]))

@@ -16,18 +16,59 @@ const LARGEST: u64 = 64 << 20;
 
 /// The text of a file, or the outcome after what is wrong with it was written to standard error.
 pub fn read_text(path: &Path, what: &str) -> Result<String, Outcome> {
-    let unreadable = |reason: &str| {
-        wrong(
-            &format!("`{}` cannot be read: {reason}", shown(path)),
-            &format!("name {what}"),
-        )
+    let bytes = read_bytes(path, what)?;
+    String::from_utf8(bytes)
+        .map_err(|_| unreadable(path, what, "it is not in UTF-8: save it as such"))
+}
+
+/// The text of a file that another program wrote: in UTF-8, in UTF-16 with a byte-order mark, or else in Latin-1; and
+/// how it was read where that is not UTF-8.
+///
+/// # Errors
+///
+/// The outcome, after what is wrong was written; `what` says what the file is.
+pub fn read_foreign_text(
+    path: &Path,
+    what: &str,
+) -> Result<(String, Option<&'static str>), Outcome> {
+    let bytes = read_bytes(path, what)?;
+    let sixteen = |rest: &[u8], unit: fn([u8; 2]) -> u16| {
+        let units = rest.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
+        char::decode_utf16(units).collect::<Result<String, _>>()
     };
-    let read = regular_file::bytes(path, LARGEST + 1);
-    let bytes = read.map_err(|error| unreadable(&reason(&error)))?;
-    if bytes.len() as u64 > LARGEST {
-        return Err(unreadable("it is larger than 64 MiB"));
+    let decoded = match bytes.as_slice() {
+        [0xff, 0xfe, rest @ ..] => Some(sixteen(rest, u16::from_le_bytes)),
+        [0xfe, 0xff, rest @ ..] => Some(sixteen(rest, u16::from_be_bytes)),
+        _ => None,
+    };
+    match decoded {
+        Some(Ok(text)) => Ok((text, Some("UTF-16"))),
+        Some(Err(_)) => Err(unreadable(path, what, "it is no text in UTF-16")),
+        None => Ok(match String::from_utf8(bytes) {
+            Ok(text) => (text, None),
+            // Every byte is a character of Latin-1.
+            Err(error) => {
+                let text = error.as_bytes().iter().copied().map(char::from).collect();
+                (text, Some("Latin-1"))
+            }
+        }),
     }
-    String::from_utf8(bytes).map_err(|_| unreadable("it is not in UTF-8: save it as such"))
+}
+
+fn read_bytes(path: &Path, what: &str) -> Result<Vec<u8>, Outcome> {
+    let read = regular_file::bytes(path, LARGEST + 1);
+    let bytes = read.map_err(|error| unreadable(path, what, &reason(&error)))?;
+    match bytes.len() as u64 > LARGEST {
+        true => Err(unreadable(path, what, "it is larger than 64 MiB")),
+        false => Ok(bytes),
+    }
+}
+
+fn unreadable(path: &Path, what: &str, reason: &str) -> Outcome {
+    wrong(
+        &format!("`{}` cannot be read: {reason}", shown(path)),
+        &format!("name {what}"),
+    )
 }
 
 /// A path as messages show it.

@@ -1,11 +1,13 @@
 //! A table of force coefficients against the angle of attack, as a wind tunnel gives it.
 
 mod cells;
+mod heading;
 pub mod remarks;
+mod sheet;
 
-use csv::{ReaderBuilder, StringRecord, Trim};
-
-use super::input::{InputError, Place, meant_among, quoted, shortened};
+use self::heading::{Columns, Unit};
+use self::sheet::{Separator, Sheet};
+use super::input::{InputError, Place, Remark, quoted};
 
 /// A row of a table: C_D, C_L and C_M at an angle of attack in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,13 +56,9 @@ pub struct CoefficientTable {
     given_slopes: Vec<GivenSlopes>,
     /// The first and the last angle as they are written, where they are read as one.
     joined: Option<[f64; 2]>,
+    /// What was not used, sorted or left out.
+    notes: Vec<Remark>,
 }
-
-/// The columns of a table.
-const COLUMNS: [&str; 4] = ["alpha_deg", "CL", "CD", "CM"];
-
-/// Columns that may be there.
-const SLOPES: [&str; 3] = ["dCL", "dCD", "dCM"];
 
 /// The fewest rows that make a curve with a slope.
 pub(super) const FEWEST_ROWS: usize = 4;
@@ -74,55 +72,136 @@ const LARGEST: f64 = 1e30;
 impl CoefficientTable {
     /// Reads the text of a table; `file` is its name in messages.
     ///
-    /// The first row names the columns `alpha_deg`, `CL`, `CD` and `CM`, in any order. They are
-    /// separated by commas, semicolons or tabs; a number may have a decimal comma unless commas separate.
-    /// A byte-order mark and Windows line ends are read over, and so are empty rows and lines that begin with `#`.
+    /// A row names the columns, in any order and by their usual names: `alpha_deg`, `AoA`, `alpha [rad]`, `CL`, `Cl`,
+    /// `C_D`, `moment`. They are separated by commas, semicolons, tabs or blanks; a number may have a decimal comma
+    /// unless commas separate. A row of units may follow. Comments begin with `#`, `!`, `%` or `//`. Rows may stand in
+    /// any order, and twice where they agree. What is not used, sorted or left out is among the
+    /// [remarks](remarks::remarks).
     ///
-    /// Linear in the length of the text.
+    /// n log n in the number n of rows.
     ///
     /// # Errors
     ///
-    /// Columns that are missing, unknown or there twice, what is no finite number, fewer than four rows,
-    /// and angles that do not increase or go over more than 360°, with the line.
+    /// Columns that are missing or there twice, what is no finite number, fewer than four rows, two rows of one angle
+    /// that differ, and angles that go over more than 360°, with the line.
     pub fn read(file: &str, text: &str) -> Result<Self, InputError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let mut lines = text.lines().map(str::trim);
-        let heading = lines.find(|line| !line.is_empty() && !line.starts_with('#'));
-        let separator = match heading {
-            Some(heading) if heading.contains(';') => b';',
-            Some(heading) if heading.contains('\t') => b'\t',
-            _ => b',',
-        };
-        let mut reader = ReaderBuilder::new()
-            .has_headers(false)
-            .flexible(true)
-            .trim(Trim::All)
-            .comment(Some(b'#'))
-            .delimiter(separator)
-            .from_reader(text.as_bytes());
-        let mut records = reader.records();
-        let Some((line, heading)) = next(file, text, &mut records)? else {
-            let help = "the first row names the columns alpha_deg, CL, CD, CM";
-            return Err(InputError::new(
-                Place::file(file),
-                "the table is empty",
-                help,
-            ));
-        };
-        let columns = Columns::read(file, line, &heading)?;
+        let sheet = Sheet::read(file, text)?;
+        let columns = Columns::read(&Place::line(file, sheet.line), &sheet.heading)?;
+        let named = sheet
+            .units
+            .get(columns.places[0])
+            .and_then(|own| Unit::of(own));
+        let unit = columns.unit.or(named);
         let mut table = CoefficientTable {
             file: file.into(),
             rows: Vec::new(),
             given_slopes: columns.given_slopes(),
             joined: None,
+            notes: Vec::new(),
         };
-        while let Some((line, record)) = next(file, text, &mut records)? {
-            table.add(&columns, line, &record, separator)?;
+        table.note_heading(&sheet, &columns, unit);
+        let unit = unit.unwrap_or(Unit::Degrees);
+        for (line, cells) in &sheet.rows {
+            table.add(&columns, unit, *line, cells, sheet.separator)?;
         }
+        table.sort();
+        table.drop_repeated_rows();
         table.check()?;
         table.join_ends();
         table.check_reach()?;
         Ok(table)
+    }
+
+    /// What of the heading, and before it, is not used or not said.
+    fn note_heading(&mut self, sheet: &Sheet, columns: &Columns, unit: Option<Unit>) {
+        if let [first, ..] = sheet.before.as_slice() {
+            let what = format!(
+                "{} before the columns are named in line {} are not read",
+                counted(sheet.before.len(), "line"),
+                sheet.line
+            );
+            self.note(*first, what);
+        }
+        let others: Vec<String> = columns
+            .others
+            .iter()
+            .map(|own| format!("`{}`", quoted(own)))
+            .collect();
+        if !others.is_empty() {
+            let what = match others.as_slice() {
+                [own] => format!("the column {own} is not used"),
+                more => format!("the columns {} are not used", more.join(", ")),
+            };
+            self.note(sheet.line, what);
+        }
+        let angle = &sheet.heading[columns.places[0]];
+        match unit {
+            None => self.note(
+                sheet.line,
+                format!("`{}` names no unit: it is read in degrees", quoted(angle)),
+            ),
+            Some(Unit::Radians) => {
+                self.note(
+                    sheet.line,
+                    format!(
+                        "`{}` is in radians; angles are shown in degrees",
+                        quoted(angle)
+                    ),
+                );
+            }
+            Some(Unit::Degrees) => {}
+        }
+    }
+
+    fn note(&mut self, line: usize, what: String) {
+        let place = Place::line(&self.file, line);
+        self.notes.push(Remark { place, what });
+    }
+
+    /// Sorts the rows by their angles.
+    fn sort(&mut self) {
+        let mut order: Vec<usize> = (0..self.rows.len()).collect();
+        order.sort_by(|&one, &other| self.rows[one].angle.total_cmp(&self.rows[other].angle));
+        let Some(moved) = (0..order.len()).find(|&place| order[place] != place) else {
+            return;
+        };
+        self.note(
+            self.rows[moved].line,
+            "the rows are sorted by their angles".into(),
+        );
+        self.take(&order);
+    }
+
+    /// Leaves out rows that say what the row before says.
+    fn drop_repeated_rows(&mut self) {
+        let number = |place: usize| Row {
+            line: 0,
+            ..self.rows[place]
+        };
+        let is_repeated = |place: &usize| *place > 0 && number(*place) == number(*place - 1);
+        let (repeated, kept): (Vec<usize>, Vec<usize>) =
+            (0..self.rows.len()).partition(is_repeated);
+        let Some(&first) = repeated.first() else {
+            return;
+        };
+        let what = match repeated.len() {
+            1 => "the row says again what another one says, and is left out".to_string(),
+            more => format!(
+                "this row and {more} more say again what others say, and are left out",
+                more = more - 1
+            ),
+        };
+        self.note(self.rows[first].line, what);
+        self.take(&kept);
+    }
+
+    /// The rows of these places, in this order.
+    fn take(&mut self, places: &[usize]) {
+        self.rows = places.iter().map(|&own| self.rows[own]).collect();
+        for slopes in &mut self.given_slopes {
+            slopes.values = places.iter().map(|&own| slopes.values[own]).collect();
+        }
     }
 
     /// The rows, their angles increasing.
@@ -163,27 +242,28 @@ impl CoefficientTable {
     fn add(
         &mut self,
         columns: &Columns,
+        unit: Unit,
         line: usize,
-        record: &StringRecord,
-        separator: u8,
+        cells: &[String],
+        separator: Separator,
     ) -> Result<(), InputError> {
         let place = Place::line(&self.file, line);
-        if record.len() != columns.count {
-            let what = format!("{} cells below {} columns", record.len(), columns.count);
-            let help = if separator == b',' && record.len() > columns.count {
+        if cells.len() != columns.count {
+            let what = format!("{} cells below {} columns", cells.len(), columns.count);
+            let help = if separator == Separator::Comma && cells.len() > columns.count {
                 "if the comma is a decimal comma, write decimal points, or separate the columns with semicolons"
             } else {
                 "each row has a number for each column"
             };
             return Err(InputError::new(place, what, help));
         }
-        let number = |column: usize, name: &str| number(&place, name, &record[column]);
+        let number = |column: usize, name: &str| number(&place, name, &cells[column]);
         let [angle, lift, drag, moment] = columns.places;
         self.rows.push(Row {
-            angle: number(angle, COLUMNS[0])?,
-            lift: number(lift, COLUMNS[1])?,
-            drag: number(drag, COLUMNS[2])?,
-            moment: number(moment, COLUMNS[3])?,
+            angle: unit.degrees(number(angle, "alpha_deg")?),
+            lift: number(lift, "CL")?,
+            drag: number(drag, "CD")?,
+            moment: number(moment, "CM")?,
             line,
         });
         for (slopes, (name, column)) in self.given_slopes.iter_mut().zip(&columns.slopes) {
@@ -207,14 +287,11 @@ impl CoefficientTable {
                     "the angle {}° is there twice, here and in line {}",
                     next.angle, one.line
                 );
-                return Err(InputError::new(place, what, "keep one of the rows"));
-            }
-            if next.angle < one.angle {
-                let what = format!(
-                    "the angle {}° follows {}°, but angles must increase",
-                    next.angle, one.angle
-                );
-                return Err(InputError::new(place, what, "sort the rows by alpha_deg"));
+                return Err(InputError::new(
+                    place,
+                    what,
+                    "keep one of the rows: they differ",
+                ));
             }
         }
         Ok(())
@@ -230,64 +307,7 @@ impl CoefficientTable {
     }
 }
 
-/// Where the columns stand.
-struct Columns {
-    count: usize,
-    /// alpha_deg, CL, CD, CM.
-    places: [usize; 4],
-    slopes: Vec<(&'static str, usize)>,
-}
-
 impl Columns {
-    fn read(file: &str, line: usize, heading: &StringRecord) -> Result<Self, InputError> {
-        let place = Place::line(file, line);
-        let known: Vec<&str> = COLUMNS.into_iter().chain(SLOPES).collect();
-        for (position, name) in heading.iter().enumerate() {
-            if heading.iter().take(position).any(|before| before == name) {
-                let what = format!("the column `{}` is there twice", quoted(name));
-                return Err(InputError::new(place, what, "keep one of them"));
-            }
-            if !known.contains(&name) {
-                let (what, help) = if name.parse::<f64>().is_ok() {
-                    let number = quoted(name);
-                    let what = format!("the first row begins its columns with a number, {number}");
-                    (what, "name the columns: alpha_deg,CL,CD,CM".to_string())
-                } else if ["alpha", "angle", "alpha_rad"].contains(&name.to_lowercase().as_str()) {
-                    let help = "the angle is in degrees, in a column called alpha_deg";
-                    (
-                        format!("there is no column `{}`", quoted(name)),
-                        help.to_string(),
-                    )
-                } else {
-                    let is_there = |known: &&str| heading.iter().any(|own| own == *known);
-                    let absent = known.iter().copied().filter(|own| !is_there(own));
-                    let help = meant_among(&absent.collect::<Vec<_>>(), name, &known);
-                    (format!("there is no column `{}`", quoted(name)), help)
-                };
-                return Err(InputError::new(place, what, help));
-            }
-        }
-        let find = |name: &str| heading.iter().position(|own| own == name);
-        let mut places = [0; 4];
-        for (own, name) in places.iter_mut().zip(COLUMNS) {
-            let Some(found) = find(name) else {
-                let what = format!("the column {name} is missing");
-                let help =
-                    "the first row names the columns alpha_deg, CL, CD, CM, separated by commas";
-                return Err(InputError::new(place, what, help));
-            };
-            *own = found;
-        }
-        let slopes = SLOPES
-            .into_iter()
-            .filter_map(|name| Some((name, find(name)?)));
-        Ok(Columns {
-            count: heading.len(),
-            places,
-            slopes: slopes.collect(),
-        })
-    }
-
     fn given_slopes(&self) -> Vec<GivenSlopes> {
         let empty = |&(name, _): &(&'static str, usize)| GivenSlopes {
             name,
@@ -297,12 +317,23 @@ impl Columns {
     }
 }
 
+/// `1 line`, `3 lines`.
+fn counted(count: usize, word: &str) -> String {
+    match count {
+        1 => format!("1 {word}"),
+        more => format!("{more} {word}s"),
+    }
+}
+
 /// A cell as a number; a comma in it is a decimal comma, since it separates no columns.
 fn number(place: &Place, column: &str, cell: &str) -> Result<f64, InputError> {
     let wrong = |help: &str| {
         let what = format!("`{}` in the column {column} is no number", quoted(cell));
         InputError::new(place.clone(), what, help)
     };
+    // Signs that typesetting programs write, and a unit that the heading says.
+    let cell = cell.replace(['−', '–'], "-");
+    let cell = cell.trim_end_matches('°').trim();
     let has_comma = cell.contains(',');
     if has_comma && (cell.contains('.') || cell.matches(',').count() > 1) {
         return Err(wrong(
@@ -330,40 +361,4 @@ fn number(place: &Place, column: &str, cell: &str) -> Result<f64, InputError> {
             "give a number such as -0.25 or 2.5e-1, without a unit",
         )),
     }
-}
-
-/// The next record that says something, with its line; what the reader refuses is an error with its line.
-///
-/// The reader's position is where it stood before the empty lines and comments that it passes over.
-fn next(
-    file: &str,
-    text: &str,
-    records: &mut impl Iterator<Item = csv::Result<StringRecord>>,
-) -> Result<Option<(usize, StringRecord)>, InputError> {
-    let record = records.find(|record| !record.as_ref().is_ok_and(is_silent));
-    let record = record.transpose().map_err(|error| {
-        let place = match error.position() {
-            Some(position) => Place::line(file, position.line() as usize),
-            None => Place::file(file),
-        };
-        InputError::new(
-            place,
-            shortened(&error.to_string()),
-            "a table is CSV in UTF-8",
-        )
-    })?;
-    Ok(record.map(|record| {
-        let (line, byte) = record.position().map_or((1, 0), |position| {
-            (position.line() as usize, position.byte() as usize)
-        });
-        let is_passed_over = |line: &&str| line.is_empty() || line.starts_with('#');
-        let rest = text.get(byte..).unwrap_or_default();
-        let passed = rest.lines().take_while(is_passed_over).count();
-        (line + passed, record)
-    }))
-}
-
-/// A row of empty cells, which is how a spreadsheet ends, or a comment behind blanks.
-fn is_silent(record: &StringRecord) -> bool {
-    record.iter().all(str::is_empty) || record.get(0).is_some_and(|cell| cell.starts_with('#'))
 }

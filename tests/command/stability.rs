@@ -42,6 +42,40 @@ fn a_case_is_written_in_every_format_and_drawn() {
 }
 
 #[test]
+fn a_table_in_another_encoding_is_read_and_said() {
+    let folder = folder("encodings");
+    let case = folder.join("tuned.toml");
+    let case = case.to_str().expect("a path");
+    let table = folder.join("formulas.csv");
+    let text = std::fs::read_to_string(&table).expect("a table");
+    let (_, expected, _) = run(&["stability", case, "--format", "csv"]);
+    let little = |text: &str| -> Vec<u8> {
+        let units = text.encode_utf16().flat_map(u16::to_le_bytes);
+        [0xff, 0xfe].into_iter().chain(units).collect()
+    };
+    let big = |text: &str| -> Vec<u8> {
+        let units = text.encode_utf16().flat_map(u16::to_be_bytes);
+        [0xfe, 0xff].into_iter().chain(units).collect()
+    };
+    // A degree sign in Latin-1.
+    let latin = [text.replace("alpha_deg", "alpha").as_bytes(), b"# \xb0\n"].concat();
+    for (bytes, said) in [
+        (little(&text), "UTF-16"),
+        (big(&text), "UTF-16"),
+        (latin, "Latin-1"),
+    ] {
+        std::fs::write(&table, bytes).expect("a table");
+        let (status, out, err) = run(&["stability", case, "--format", "csv"]);
+        assert_eq!((status, &out), (Some(0), &expected), "{err}");
+        assert!(err.contains(&format!("is read in {said}")), "{err}");
+    }
+    std::fs::write(&table, [0xff, 0xfe, 0x00, 0xd8]).expect("a table");
+    let (status, _, err) = run(&["stability", case]);
+    assert_eq!(status, Some(2));
+    assert!(err.contains("it is no text in UTF-16"), "{err}");
+}
+
+#[test]
 fn wrong_cases_end_with_status_2_and_leave_no_file() {
     let folder = folder("wrong_stability");
     let text = std::fs::read_to_string(folder.join("tuned.toml")).expect("a case");

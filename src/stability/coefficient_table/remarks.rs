@@ -19,11 +19,11 @@ const MOMENT: Column = ("CM", |row| row.moment);
 
 /// What is odd about a table, in the order in which one should look at it.
 ///
-/// Looked for are ends that are read as one angle, holes and cells that are hardly there, angles that seem to be in radians, derivatives that seem to be per degree, steps too
+/// What was not used, sorted or left out as the table was read comes first. Looked for are ends that are read as one angle, holes and cells that are hardly there, angles that seem to be in radians, derivatives that seem to be per degree, steps too
 /// coarse for derivatives, and jumps at 0°, 180° and 360° of a curve that is its own mirror image.
 /// n log n in the number of rows.
 pub fn remarks(table: &CoefficientTable) -> Vec<Remark> {
-    let mut remarks = Vec::new();
+    let mut remarks = table.notes.clone();
     remarks.extend(radians(table));
     remarks.extend(joined_ends(table));
     remarks.extend(holes(table));
