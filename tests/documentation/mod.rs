@@ -1,14 +1,13 @@
-//! What the documentation says is so: its blocks run, its tables are complete, the output that it
-//! quotes is the command's.
+//! What the documentation says is so: its blocks and commands run, its tables are complete, the output
+//! that it shows is the command's.
 
 mod architecture;
+mod guides;
 mod page;
 mod sources;
+mod steps;
 
 use std::collections::BTreeSet;
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use sextic::language::built_in::names;
 use sextic::language::diagnostic::SourceFile;
@@ -19,17 +18,28 @@ use sextic::language::syntax::{Expectation, StatementKind};
 use super::derivation::{Folder, audit_in, block};
 use page::{Page, read, root};
 
-/// The pages whose links and blocks are checked.
-const PAGES: [&str; 5] = [
+/// The pages, beside those under `docs`, whose links and blocks are checked.
+const PAGES: [&str; 6] = [
     "README.md",
     "ARCHITECTURE.md",
     "CONTRIBUTING.md",
     LANGUAGE_PAGE,
     "derivations/cases/README.md",
+    "benches/README.md",
 ];
 
 /// The page about the language.
 const LANGUAGE_PAGE: &str = "derivations/README.md";
+
+/// The guide to writing a document.
+const DOCUMENT_GUIDE: &str = "docs/document.md";
+
+/// All pages.
+fn pages() -> Vec<String> {
+    let mut pages: Vec<String> = PAGES.map(str::to_owned).into();
+    pages.extend(guides::docs());
+    pages
+}
 
 /// Audits a text as a document of a folder: every verdict must be as expected, and there must be some.
 fn runs(path: &str, text: String) {
@@ -45,12 +55,12 @@ fn runs(path: &str, text: String) {
 
 #[test]
 fn blocks_of_the_documentation_run() {
-    for path in PAGES {
-        if Page::of(path).blocks_in("sextic").next().is_some() {
-            runs(path, read(path));
+    for path in pages() {
+        if Page::of(&path).blocks_in("sextic").next().is_some() {
+            runs(&path, read(&path));
         }
     }
-    for path in ["README.md", LANGUAGE_PAGE] {
+    for path in ["README.md", DOCUMENT_GUIDE, LANGUAGE_PAGE] {
         assert!(
             Page::of(path).blocks_in("sextic").next().is_some(),
             "{path}"
@@ -137,108 +147,29 @@ fn what_is_written_in_the_tables_is_read() {
 }
 
 #[test]
-fn the_quoted_output_is_that_of_the_command() {
-    let page = Page::of("README.md");
-    let mut commands = Vec::new();
-    for block in page.blocks_in("text") {
-        let command = block
-            .before
-            .iter()
-            .find_map(|code| code.strip_prefix("sextic "));
-        let command =
-            command.unwrap_or_else(|| panic!("of no command is this output:\n{}", block.text));
-        let output = Command::new(env!("CARGO_BIN_EXE_sextic"))
-            .args(command.split_whitespace())
-            .current_dir(root())
-            .output()
-            .expect("the command runs");
-        let printed = format!("\n{}", String::from_utf8_lossy(&output.stdout));
-        let mut rest = printed.as_str();
-        for chunk in format!("\n{}", block.text).split("\n⋮") {
-            assert!(!chunk.trim().is_empty(), "nothing between two ⋮");
-            let chunk = format!("\n{}\n", chunk.trim_matches('\n'));
-            let place = rest.find(&chunk);
-            let place = place.unwrap_or_else(|| {
-                panic!("`sextic {command}` does not print, or not there:{chunk}")
-            });
-            // The line break behind a chunk may be the one before the next.
-            rest = &rest[place + chunk.len() - 1..];
-        }
-        commands.push(command.split(' ').next().unwrap_or_default());
-    }
-    let all = [
-        "audit",
-        "match",
-        "stability",
-        "validity",
-        "evaluate",
-        "stability",
-        "speeds",
-        "speeds",
-        "speeds",
-    ];
-    assert_eq!(commands, all);
-}
-
-/// The evaluators of the README are generated, compiled and run as it says.
-#[test]
-fn the_section_of_the_readme_compiles() {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("readme");
-    if folder.exists() {
-        fs::remove_dir_all(&folder).expect("an old folder goes");
-    }
-    fs::create_dir_all(&folder).expect("a folder");
-    let page = Page::of("README.md");
-    let program = page.blocks_in("c").next().expect("a program in C");
-    fs::write(folder.join("main.c"), &program.text).expect("a file");
-    let text = read("README.md");
-    let commands = text
-        .lines()
-        .skip_while(|line| !line.starts_with("    SECTION="));
-    let commands = commands.take_while(|line| line.starts_with("    "));
-    let mut script = String::from("set -e\n");
-    commands.for_each(|line| script.push_str(&format!("{}\n", line.trim_start())));
-    script.push_str(
-        "gcc -std=c99 -Wall -Wextra -Werror main.c section.o -I section_c -lm -o main\n./main\n",
-    );
-    let command = Path::new(env!("CARGO_BIN_EXE_sextic"));
-    let path = std::env::var("PATH").unwrap_or_default();
-    let own = command
-        .parent()
-        .expect("the command is in a folder")
-        .display();
-    let output = Command::new("bash")
-        .args(["-c", &script])
-        .env("PATH", format!("{own}:{path}"))
-        .current_dir(&folder)
-        .output()
-        .expect("a shell");
-    let (out, err) = (
-        String::from_utf8_lossy(&output.stdout),
-        String::from_utf8_lossy(&output.stderr),
-    );
-    assert!(output.status.success(), "{script}{out}{err}");
-    assert!(out.contains("within"), "{out}");
-}
-
-/// What the README quotes of a generated file stands there.
-#[test]
-fn the_quoted_head_is_that_of_the_file() {
-    let page = Page::of("README.md");
-    let head = page.blocks_in("rust").next().expect("the head of a file");
-    let file = read("codegen/evaluators/src/closed_form.rs");
-    assert!(file.contains(head.text.trim()), "{}", head.text);
-}
-
-#[test]
 fn links_lead_somewhere() {
-    for path in PAGES {
-        let folder = root().join(path);
+    for path in pages() {
+        let folder = root().join(&path);
         let folder = folder.parent().expect("a page is in a folder");
-        for link in Page::of(path).links {
-            let (file, _) = link.split_once('#').unwrap_or((&link, ""));
-            let known = link.starts_with("https://") || folder.join(file).exists();
-            assert!(known, "{path} links to {link}");
+        let page = Page::of(&path);
+        for link in page.links.iter().chain(&page.pictures) {
+            if link.starts_with("https://") {
+                continue;
+            }
+            let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
+            let target = match file {
+                "" => root().join(&path),
+                file => folder.join(file),
+            };
+            assert!(target.exists(), "{path} leads to {link}");
+            if !anchor.is_empty() {
+                let text = std::fs::read_to_string(&target).expect("a page");
+                let anchors = Page::parse(&text).anchors();
+                assert!(
+                    anchors.iter().any(|own| own == anchor),
+                    "{path} leads to {link}, and there is {anchors:?}"
+                );
+            }
         }
     }
 }

@@ -1,4 +1,4 @@
-//! A page of the documentation: its fenced blocks, tables and links.
+//! A page of the documentation: its blocks of code, tables, headings, pictures and links.
 
 use std::path::{Path, PathBuf};
 
@@ -10,8 +10,8 @@ pub struct Block {
     pub language: String,
     /// The lines between its fences.
     pub text: String,
-    /// The code in the paragraph before it.
-    pub before: Vec<String>,
+    /// What the paragraph before it ends in, if it ends in code and a colon: the name of a file.
+    pub name: Option<String>,
 }
 
 /// A cell of a table.
@@ -27,8 +27,12 @@ pub struct Cell {
 #[derive(Default)]
 pub struct Page {
     pub blocks: Vec<Block>,
+    /// Blocks that are indented and have no fence.
+    pub indented: Vec<String>,
     /// Tables by rows, the heads first.
     pub tables: Vec<Vec<Vec<Cell>>>,
+    pub headings: Vec<String>,
+    pub pictures: Vec<String>,
     pub links: Vec<String>,
 }
 
@@ -49,9 +53,9 @@ impl Page {
         Page::parse(&read(path))
     }
 
-    fn parse(text: &str) -> Page {
+    pub fn parse(text: &str) -> Page {
         let mut page = Page::default();
-        let (mut before, mut block) = (Vec::new(), None);
+        let (mut name, mut block, mut is_indented, mut is_heading) = (None, None, false, false);
         for event in Parser::new_ext(text, Options::ENABLE_TABLES) {
             let cell = |page: &mut Page, part: &str, code: bool| {
                 let row = page.tables.last_mut().and_then(|table| table.last_mut());
@@ -60,16 +64,31 @@ impl Page {
                     cell.code.extend(code.then(|| part.to_owned()));
                 }
             };
+            let heading = |page: &mut Page, part: &str| {
+                page.headings.last_mut().unwrap().push_str(part);
+            };
             match event {
-                Event::Start(Tag::Paragraph) => before.clear(),
+                Event::Start(Tag::Paragraph) => name = None,
                 Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(language))) => {
                     block = Some(Block {
                         language: language.into_string(),
                         text: String::new(),
-                        before: before.clone(),
+                        name: name.take(),
                     });
                 }
-                Event::End(TagEnd::CodeBlock) => page.blocks.extend(block.take()),
+                Event::Start(Tag::CodeBlock(CodeBlockKind::Indented)) => {
+                    is_indented = true;
+                    page.indented.push(String::new());
+                }
+                Event::End(TagEnd::CodeBlock) => {
+                    is_indented = false;
+                    page.blocks.extend(block.take());
+                }
+                Event::Start(Tag::Heading { .. }) => {
+                    is_heading = true;
+                    page.headings.push(String::new());
+                }
+                Event::End(TagEnd::Heading(_)) => is_heading = false,
                 Event::Start(Tag::Table(_)) => page.tables.push(Vec::new()),
                 Event::Start(Tag::TableHead | Tag::TableRow) => {
                     page.tables.last_mut().unwrap().push(Vec::new());
@@ -85,12 +104,21 @@ impl Page {
                 Event::Start(Tag::Link { dest_url, .. }) => {
                     page.links.push(dest_url.into_string());
                 }
+                Event::Start(Tag::Image { dest_url, .. }) => {
+                    page.pictures.push(dest_url.into_string());
+                }
                 Event::Text(part) => match &mut block {
                     Some(block) => block.text.push_str(&part),
-                    None => cell(&mut page, &part, false),
+                    None if is_indented => page.indented.last_mut().unwrap().push_str(&part),
+                    None if is_heading => heading(&mut page, &part),
+                    None => {
+                        name = name.filter(|_| &*part == ":");
+                        cell(&mut page, &part, false);
+                    }
                 },
+                Event::Code(part) if is_heading => heading(&mut page, &part),
                 Event::Code(part) => {
-                    before.push(part.to_string());
+                    name = Some(part.to_string());
                     cell(&mut page, &part, true);
                 }
                 _ => {}
@@ -100,6 +128,20 @@ impl Page {
             table.retain(|row| !row.is_empty());
         }
         page
+    }
+
+    /// What a link leads to that ends in such a word behind `#`, as code hosts make them of headings.
+    pub fn anchors(&self) -> Vec<String> {
+        let anchor = |heading: &String| {
+            let kept = heading.chars().filter_map(|own| match own {
+                ' ' => Some('-'),
+                '-' | '_' => Some(own),
+                _ if own.is_alphanumeric() => Some(own),
+                _ => None,
+            });
+            kept.flat_map(char::to_lowercase).collect()
+        };
+        self.headings.iter().map(anchor).collect()
     }
 
     /// The blocks in a language.

@@ -257,7 +257,7 @@ fn the_picture_is_that_of_the_command() {
     let shown = read(&super::cases::shipped().join("tuned.svg"));
     assert!(
         svg == shown,
-        "derivations/cases/tuned.svg is old: draw it again as the README says"
+        "derivations/cases/tuned.svg is old: draw it again as docs/sections.md says"
     );
 }
 

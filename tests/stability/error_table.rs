@@ -1,4 +1,4 @@
-//! The errors of all methods on a hundred thousand systems, against long arithmetic: the table of the README.
+//! The errors of all methods on a hundred thousand systems, against long arithmetic: the table of the guide to sections.
 
 use std::fmt::Write;
 
@@ -192,11 +192,12 @@ fn table() -> String {
 }
 
 #[test]
-fn the_errors_of_all_methods_are_those_of_the_readme() {
+fn the_errors_of_all_methods_are_those_of_the_guide() {
     let table = table();
     snapshots("errors", || insta::assert_snapshot!("error_table", table));
-    let readme = read(&std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md"));
+    let guide = "docs/sections.md";
+    let text = read(&std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(guide));
     for line in table.lines() {
-        assert!(readme.contains(line), "the README lacks:\n{table}");
+        assert!(text.contains(line), "{guide} lacks:\n{table}");
     }
 }

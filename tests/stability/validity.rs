@@ -150,7 +150,7 @@ fn the_map_is_that_of_the_command() {
     let svg = map(&validity).svg().expect("a figure");
     assert!(
         svg == read(&shipped().join("light.svg")),
-        "derivations/cases/light.svg is old: draw it again as the README says"
+        "derivations/cases/light.svg is old: draw it again as docs/sections.md says"
     );
 }
 
