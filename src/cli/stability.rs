@@ -52,7 +52,7 @@ A case file:
   zeta_x = 0.008                  # damping ratios
   zeta_y = 0.008
   zeta_theta = 0.03
-  free = [\"x\", \"y\", \"theta\"]      # may be left out
+  free = [\"x\", \"y\", \"theta\"]      # may be left out; what is held needs no numbers
   [wind]
   rho = 1.25                      # in kg/m³
   U = 9                           # in m/s

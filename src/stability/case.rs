@@ -123,32 +123,34 @@ impl Case {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let lines = check_keys(file, text)?;
         let read: File = toml::from_str(text).map_err(|error| not_read(file, text, &error))?;
-        let section = read.section;
+        let free = read.structure.free(file, &lines)?;
+        read.check_needed(free, file, &lines)?;
+        let (section, structure, wind) = (read.section, read.structure, read.wind);
+        // What is missing now is not needed: where theta is held nothing has a lever.
+        let of = |own: Option<f64>| own.unwrap_or_default();
+        let steps = read.sweep.alpha_deg.unwrap_or_default();
         let case = Case {
             file: file.into(),
             parameters: Parameters {
-                mass: section.m,
-                radius_of_gyration: section.r,
-                mass_centre_distance: section.L_g,
-                mass_centre_angle: section.alpha_g_deg.to_radians(),
-                aerodynamic_centre_distance: section.L_a,
-                aerodynamic_centre_angle: section.gamma_r_deg.to_radians(),
-                reference_dimension: section.D,
-                air_density: read.wind.rho,
-                wind_speed: read.wind.U,
-                wind_angle: 0.0,
-                attitude: 0.0,
-                forces: Forces::default(),
-                aerodynamic_stiffness: read.wind.aerodynamic_stiffness,
-                ..read.structure.parameters(file, &lines)?
+                mass: of(section.m),
+                radius_of_gyration: section.r.or(section.D).unwrap_or(1.0),
+                mass_centre_distance: of(section.L_g),
+                mass_centre_angle: of(section.alpha_g_deg).to_radians(),
+                aerodynamic_centre_distance: of(section.L_a),
+                aerodynamic_centre_angle: of(section.gamma_r_deg).to_radians(),
+                reference_dimension: of(section.D),
+                air_density: of(wind.rho),
+                wind_speed: of(wind.U),
+                aerodynamic_stiffness: wind.aerodynamic_stiffness,
+                ..structure.parameters(free)
             },
-            coefficients: section.coefficients,
-            interpolation: section.interpolation,
+            coefficients: section.coefficients.unwrap_or_default(),
+            interpolation: section.interpolation.unwrap_or(Interpolation::Linear),
             angles: Angles {
-                from: read.sweep.alpha_deg.from,
-                to: read.sweep.alpha_deg.to,
-                step: read.sweep.alpha_deg.step,
-                turn: read.sweep.turn,
+                from: steps.from,
+                to: steps.to,
+                step: steps.step,
+                turn: read.sweep.turn.unwrap_or(Turn::Section),
             },
         };
         case.check(&lines)?;
