@@ -23,6 +23,7 @@ mod partial;
 mod regular_file;
 #[cfg(feature = "stability")]
 mod report;
+mod show;
 mod source;
 #[cfg(feature = "stability")]
 mod speeds;
@@ -78,6 +79,7 @@ struct Arguments {
 enum Command {
     Audit(audit::Arguments),
     Match(match_coefficients::Arguments),
+    Show(show::Arguments),
     Generate(generate::Arguments),
     Evaluate(evaluate::Arguments),
     #[cfg(feature = "stability")]
@@ -111,6 +113,7 @@ pub fn run() -> ExitCode {
     let outcome = match Arguments::parse().command {
         Command::Audit(arguments) => audit::run(&arguments),
         Command::Match(arguments) => match_coefficients::run(&arguments),
+        Command::Show(arguments) => show::run(&arguments),
         Command::Generate(arguments) => generate::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         #[cfg(feature = "stability")]

@@ -31,33 +31,60 @@ pub struct Audited {
 ///
 /// What is wrong with a document is written to standard error, and the others are audited all the same.
 pub fn audit_all(paths: &[String]) -> Audited {
-    let mut audited = Audited {
-        audits: Vec::new(),
-        messages: Messages::default(),
-        outcome: Outcome::AsExpected,
-        known: BTreeSet::new(),
-    };
+    let mut audited = Audited::nothing();
     if paths.is_empty() {
         shipped().for_each(|source| audited.audit(&source, &ShippedLibrary));
     }
-    for path in paths {
-        match read(path) {
-            Ok(source) => audited.audit(&source, &Disk),
-            Err(Unread::Text(mistake)) => audited.tell(&mistake.0, &mistake.1),
-            Err(Unread::File(message)) => {
-                audited.outcome = wrong(&message.message, message.help.as_deref().unwrap_or(""));
-                audited.messages.told.push(message);
-            }
-        }
+    paths.iter().for_each(|path| audited.read(path));
+    audited.tell_rest();
+    audited
+}
+
+/// Audits the document with this path, or the paper that comes with the command.
+///
+/// What is wrong with it is written to standard error.
+pub fn audit_one(path: Option<&str>) -> Audited {
+    let mut audited = Audited::nothing();
+    match path {
+        Some(path) => audited.read(path),
+        None => shipped()
+            .take(1)
+            .for_each(|source| audited.audit(&source, &ShippedLibrary)),
     }
-    let left_out = audited.messages.left_out;
-    if left_out > 0 {
-        complain(&format!("… and {}\n", counted(left_out, "more mistake")));
-    }
+    audited.tell_rest();
     audited
 }
 
 impl Audited {
+    fn nothing() -> Self {
+        Audited {
+            audits: Vec::new(),
+            messages: Messages::default(),
+            outcome: Outcome::AsExpected,
+            known: BTreeSet::new(),
+        }
+    }
+
+    /// Reads and audits a document on the disk.
+    fn read(&mut self, path: &str) {
+        match read(path) {
+            Ok(source) => self.audit(&source, &Disk),
+            Err(Unread::Text(mistake)) => self.tell(&mistake.0, &mistake.1),
+            Err(Unread::File(message)) => {
+                self.outcome = wrong(&message.message, message.help.as_deref().unwrap_or(""));
+                self.messages.told.push(message);
+            }
+        }
+    }
+
+    /// Tells how many mistakes were not told.
+    fn tell_rest(&self) {
+        let left_out = self.messages.left_out;
+        if left_out > 0 {
+            complain(&format!("… and {}\n", counted(left_out, "more mistake")));
+        }
+    }
+
     fn audit(&mut self, source: &SourceFile, library: &dyn Library) {
         match audit_after(&self.audits, source, library) {
             Err(rejected) => {

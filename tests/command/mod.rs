@@ -10,6 +10,7 @@ mod generation;
 mod modes;
 #[cfg(feature = "stability")]
 mod report;
+mod show;
 #[cfg(feature = "stability")]
 mod speeds;
 #[cfg(feature = "stability")]
