@@ -15,6 +15,7 @@ mod generate;
 mod match_coefficients;
 #[cfg(feature = "stability")]
 mod modes;
+mod new;
 mod output;
 #[cfg(feature = "parquet")]
 mod parquet;
@@ -77,6 +78,7 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    New(new::Arguments),
     Audit(audit::Arguments),
     Match(match_coefficients::Arguments),
     Show(show::Arguments),
@@ -111,6 +113,7 @@ Results go to standard output, diagnostics to standard error. NO_COLOR is honour
 /// Runs the command that the arguments of the process ask for.
 pub fn run() -> ExitCode {
     let outcome = match Arguments::parse().command {
+        Command::New(arguments) => new::run(&arguments),
         Command::Audit(arguments) => audit::run(&arguments),
         Command::Match(arguments) => match_coefficients::run(&arguments),
         Command::Show(arguments) => show::run(&arguments),

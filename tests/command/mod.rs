@@ -8,6 +8,7 @@ mod files;
 mod generation;
 #[cfg(feature = "stability")]
 mod modes;
+mod new;
 #[cfg(feature = "stability")]
 mod report;
 mod show;
