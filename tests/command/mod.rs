@@ -11,6 +11,8 @@ mod modes;
 mod new;
 #[cfg(feature = "stability")]
 mod report;
+#[cfg(feature = "stability")]
+mod set;
 mod show;
 #[cfg(feature = "stability")]
 mod speeds;
