@@ -1,7 +1,7 @@
 //! Reading documents from the disk.
 
 use std::collections::BTreeSet;
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
 use crate::documents::{ShippedLibrary, resolve, shipped};
@@ -143,10 +143,18 @@ enum Unread {
     Text(Box<(Diagnostic, SourceFile)>),
 }
 
+/// What stands for standard input where a document is named.
+const STANDARD_INPUT: &str = "-";
+/// How messages call it; what it imports is sought from the folder that one is in.
+const NAME_OF_STANDARD_INPUT: &str = "standard input";
+
 fn read(path: &str) -> Result<SourceFile, Unread> {
-    // Spelled as an import would spell it, so that a document that imports itself is recognised.
-    let name = resolve(&slashes(path), "");
-    let bytes = bytes_of(path).map_err(|error| Unread::File(unreadable(path, &error)))?;
+    let (name, bytes) = match path {
+        STANDARD_INPUT => (NAME_OF_STANDARD_INPUT.to_string(), standard_input()),
+        // Spelled as an import would spell it, so that a document that imports itself is recognised.
+        _ => (resolve(&slashes(path), ""), bytes_of(path)),
+    };
+    let bytes = bytes.map_err(|error| Unread::File(unreadable(path, &error)))?;
     let source = SourceFile::from_bytes(&name, &bytes);
     source.map_err(|error| {
         let shown = SourceFile::from_bytes_lossy(&name, &bytes);
@@ -157,6 +165,14 @@ fn read(path: &str) -> Result<SourceFile, Unread> {
 /// The bytes of a file, and one more than a document may have of a larger one.
 fn bytes_of(path: &str) -> std::io::Result<Vec<u8>> {
     regular_file::bytes(Path::new(path), MAXIMUM_SIZE as u64 + 1)
+}
+
+/// What is written to the command, within the same limit.
+fn standard_input() -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let mut limited = io::stdin().lock().take(MAXIMUM_SIZE as u64 + 1);
+    limited.read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 fn unreadable(path: &str, error: &std::io::Error) -> Message {

@@ -6,6 +6,7 @@ mod figures;
 #[cfg(feature = "stability")]
 mod files;
 mod generation;
+mod input;
 #[cfg(feature = "stability")]
 mod modes;
 mod new;
