@@ -25,7 +25,7 @@ const LEAST_LIKENESS: f64 = 0.6;
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// Markdown documents; without any, those that come with the command
+    /// Markdown documents, `-` for standard input; without any, those that come with the command
     #[arg(value_name = "DOC")]
     documents: Vec<String>,
 

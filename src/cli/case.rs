@@ -2,30 +2,77 @@
 
 use std::path::{Path, PathBuf};
 
+use clap::Args;
+use sextic_codegen::language::literal::Decimal;
+
+use crate::compile::fixed::Fixed;
 use crate::language::diagnostic::SourceFile;
 use crate::stability::case::Case;
 use crate::stability::coefficient_table::CoefficientTable;
 use crate::stability::coefficient_table::remarks::remarks;
 use crate::stability::input::{InputError, Place, Remark, shortened};
+use crate::stability::variable::{Setting, Variable};
 
 use super::Outcome;
 use super::file::{read_foreign_text, read_text, spare};
+use super::generate::{FixedParser, unknown};
 use super::output::{complain, wrong};
 
-/// A case and its table from the disk, for a command that writes to `outputs`: what is odd about them is written
-/// to standard error.
+/// What a command sets in place of what a case says.
+#[derive(Args, Debug)]
+pub struct Overrides {
+    /// A quantity of the case, by a name of `sextic sweep`, and its value; may be given several times
+    #[arg(long, value_name = "NAME=VALUE", value_parser = FixedParser, allow_hyphen_values = true)]
+    pub set: Vec<Fixed>,
+}
+
+/// A case and its table from the disk, with what is set in place of it, for a command that writes to `outputs`: what
+/// is odd about them is written to standard error.
 ///
 /// # Errors
 ///
-/// The outcome, after what is wrong was written: also where an output is one of both files.
+/// The outcome, after what is wrong was written: also where an output is one of both files, or something cannot be set.
 pub fn case_and_table(
     path: &Path,
+    set: &[Fixed],
     outputs: &[PathBuf],
 ) -> Result<(Case, CoefficientTable), Outcome> {
-    let (case, table, _) = case_and_files(path, outputs)?;
+    let (case, table, _) = set_case_and_files(path, set, outputs)?;
     warn(&remarks(&table));
     warn(&case.remarks());
     Ok((case, table))
+}
+
+/// The same with the texts of the files; what is odd about them is left to the caller.
+///
+/// # Errors
+///
+/// As [`case_and_table`].
+pub fn set_case_and_files(
+    path: &Path,
+    set: &[Fixed],
+    outputs: &[PathBuf],
+) -> Result<(Case, CoefficientTable, [SourceFile; 2]), Outcome> {
+    let set: Vec<Setting> = set.iter().map(setting).collect::<Result<_, _>>()?;
+    let (case, table, files) = case_and_files(path, outputs)?;
+    let case = case.with(&set).map_err(|error| refuse(&error))?;
+    Ok((case, table, files))
+}
+
+/// A quantity of a case and its value.
+fn setting(fixed: &Fixed) -> Result<Setting, Outcome> {
+    let name = &fixed.name;
+    let Some(variable) = Variable::named(name) else {
+        let known = Variable::ALL.map(|own| own.name.to_string());
+        let what = format!("a case has no quantity `{name}`");
+        return Err(unknown(&what, name, &known));
+    };
+    let value = Decimal::nearest(&fixed.value).map(|own| own.value);
+    let value = value.ok_or_else(|| {
+        let what = format!("`{name}={}` is beyond the range of a double", fixed.text);
+        wrong(&what, "quantities are in the units of a case file")
+    })?;
+    Ok(Setting { variable, value })
 }
 
 /// A case and its table from the disk, with the texts of their files, that of the case first; what is odd about

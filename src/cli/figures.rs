@@ -7,7 +7,7 @@ use clap::Args;
 use crate::report::gallery;
 
 use super::Outcome;
-use super::case::{case_and_table, refuse};
+use super::case::{Overrides, case_and_table, refuse};
 use super::file::{spare, write_text};
 use super::output::{finish, reason, wrong};
 
@@ -25,6 +25,9 @@ pub struct Arguments {
     #[arg(value_name = "CASE")]
     case: PathBuf,
 
+    #[command(flatten)]
+    overrides: Overrides,
+
     /// The folder for the figures, which is made if need be
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
@@ -32,7 +35,7 @@ pub struct Arguments {
 
 /// Draws all figures of a case and names their files.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let (case, table) = match case_and_table(&arguments.case, &[]) {
+    let (case, table) = match case_and_table(&arguments.case, &arguments.overrides.set, &[]) {
         Ok(both) => both,
         Err(outcome) => return outcome,
     };

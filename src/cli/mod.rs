@@ -3,6 +3,7 @@
 mod audit;
 #[cfg(feature = "stability")]
 mod case;
+mod colour;
 #[cfg(feature = "stability")]
 mod compare;
 mod evaluate;
@@ -15,6 +16,7 @@ mod generate;
 mod match_coefficients;
 #[cfg(feature = "stability")]
 mod modes;
+mod new;
 mod output;
 #[cfg(feature = "parquet")]
 mod parquet;
@@ -23,6 +25,8 @@ mod partial;
 mod regular_file;
 #[cfg(feature = "stability")]
 mod report;
+mod shell;
+mod show;
 mod source;
 #[cfg(feature = "stability")]
 mod speeds;
@@ -40,6 +44,8 @@ mod view;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+
+use colour::Colour;
 
 /// What a command found, in the order in which one outweighs another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -70,14 +76,29 @@ impl From<Outcome> for ExitCode {
 #[derive(Debug, Parser)]
 #[command(name = "sextic", version, after_help = EXIT_STATUS)]
 struct Arguments {
+    /// Whether text has colours: auto (where a terminal shows them), always, or never
+    #[arg(
+        long,
+        global = true,
+        value_enum,
+        default_value_t = Colour::Auto,
+        value_name = "WHEN",
+        display_order = 1000,
+        hide_possible_values = true,
+        hide_default_value = true
+    )]
+    color: Colour,
+
     #[command(subcommand)]
     command: Command,
 }
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    New(new::Arguments),
     Audit(audit::Arguments),
     Match(match_coefficients::Arguments),
+    Show(show::Arguments),
     Generate(generate::Arguments),
     Evaluate(evaluate::Arguments),
     #[cfg(feature = "stability")]
@@ -96,6 +117,10 @@ enum Command {
     Figures(figures::Arguments),
     #[cfg(feature = "stability")]
     Report(report::Arguments),
+    Completions(shell::Arguments),
+    /// Writes the manual of the command, for `man -l -`
+    #[command(hide = true)]
+    Man,
 }
 
 const EXIT_STATUS: &str = "\
@@ -104,13 +129,18 @@ Exit status:
   1  a verdict differs, or a check fails
   2  the input is wrong, or has no `sextic` block; a file cannot be written
 
-Results go to standard output, diagnostics to standard error. NO_COLOR is honoured.";
+Results go to standard output, diagnostics to standard error; `-` in place of a document is
+standard input. NO_COLOR is honoured.";
 
 /// Runs the command that the arguments of the process ask for.
 pub fn run() -> ExitCode {
-    let outcome = match Arguments::parse().command {
+    let arguments = Arguments::parse();
+    arguments.color.apply();
+    let outcome = match arguments.command {
+        Command::New(arguments) => new::run(&arguments),
         Command::Audit(arguments) => audit::run(&arguments),
         Command::Match(arguments) => match_coefficients::run(&arguments),
+        Command::Show(arguments) => show::run(&arguments),
         Command::Generate(arguments) => generate::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         #[cfg(feature = "stability")]
@@ -129,6 +159,8 @@ pub fn run() -> ExitCode {
         Command::Figures(arguments) => figures::run(&arguments),
         #[cfg(feature = "stability")]
         Command::Report(arguments) => report::run(&arguments),
+        Command::Completions(arguments) => shell::completions(&arguments),
+        Command::Man => shell::manual(),
     };
     outcome.into()
 }

@@ -1,38 +1,45 @@
 //! `sextic modes`: the modes of one section by one method.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 
 use clap::{Args, ValueEnum};
 use num_complex::Complex;
 use sextic_codegen::language::literal::Decimal;
 
 use crate::algebra::number::Rational;
-use crate::compile::fixed::Fixed;
+use crate::compile::fixed::{Fixed, number_of};
 use crate::report::modes::{ModeFound, ModesFound, Moving, Subject};
 use crate::report::{json, text};
+use crate::stability::case::Case;
 use crate::stability::closed_form::{ClosedForm, Limitation, closed_form};
+use crate::stability::coefficient_table::CoefficientTable;
 use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
 use crate::stability::error::StabilityError;
 use crate::stability::exact_modes::ExactModes;
 use crate::stability::exact_section::ExactSection;
+use crate::stability::interpolation::CoefficientCurves;
 use crate::stability::model::Model;
 use crate::stability::quantities::{names, needed, parameters};
 use crate::stability::section::{Parameters, Section};
 use crate::stability::system::instance::Instance;
 use crate::stability::tracking::{Mode, places};
 use crate::stability::uniform_form::uniform_form;
+use crate::stability::variable::Variable;
 use crate::stability::verdict::{Doubt, Verdict, exact_verdict};
 use crate::stability::{companion, exact_modes, state_matrix};
 
 use super::Outcome;
+use super::case::case_and_table;
 use super::generate::{FixedParser, unknown};
 use super::output::{Results, finish, wrong};
 use super::system::{Chosen, Which, numbers, refuse};
 
 /// Computes the modes of one section in the wind, or of a system that a document derives
 ///
-/// With a document or --system: the system that the document names so, whose quantities have the names of
-/// the document. Else a section as He & Macdonald (2017) model it.
+/// With a case: its section at one angle of attack. With a document or --system: the system that the document
+/// names so, whose quantities have the names of the document. Else a section as He & Macdonald (2017) model
+/// it, whose quantities are all given by --set.
 ///
 /// Eigenvalues are in 1/s, one of each pair of conjugates: the real part is the growth, the imaginary
 /// part the circular frequency. Quantities are in SI units, angles in radians, derivatives per radian;
@@ -42,14 +49,19 @@ use super::system::{Chosen, Which, numbers, refuse};
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// A Markdown document with a system; without one and without --system, a section in the wind
-    #[arg(value_name = "DOC")]
+    /// A case file, in TOML, or a Markdown document with a system; without one and without --system, a section
+    /// in the wind
+    #[arg(value_name = "CASE|DOC")]
     document: Option<String>,
 
     #[command(flatten)]
     which: Which,
 
-    /// A quantity and its value; may be given several times
+    /// Of a case: the angle of attack, in degrees
+    #[arg(long, value_name = "DEGREES", value_parser = angle, allow_hyphen_values = true)]
+    alpha: Option<Fixed>,
+
+    /// A quantity and its value, of a case by a name of `sextic sweep`; may be given several times
     #[arg(long, value_name = "NAME=VALUE", value_parser = FixedParser, allow_hyphen_values = true)]
     set: Vec<Fixed>,
 
@@ -116,15 +128,22 @@ Examples:
   sextic modes --set m=3.5 --set r=0.0178 --set L_g=0.004 --set alpha_g=0.5 --set theta_0=0 \\
     --set omega_x=6 --set omega_y=5.3 --set omega_theta=5.4 \\
     --set zeta_x=0 --set zeta_y=0 --set zeta_theta=0 --set U=0
+  sextic modes case.toml --alpha 68.5 --shapes
   sextic modes mine.md --system bridge --set U=40 --shapes
   sextic modes … --method exact --shapes --format json | jq .eigenvalues";
 
 /// Finds the modes and writes them.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let is_derived = arguments.document.is_some() || arguments.which.system.is_some();
-    let found = match is_derived {
-        true => of_system(arguments),
-        false => found(arguments),
+    let found = match (&arguments.document, &arguments.alpha) {
+        (Some(path), _) if is_case(path) => of_case(arguments, Path::new(path)),
+        (_, Some(_)) => Err(wrong(
+            "`--alpha` is the angle of attack of a case, and no case is named",
+            "name a case file, `sextic modes case.toml --alpha 68.5`; other angles are given by `--set`",
+        )),
+        _ if arguments.document.is_some() || arguments.which.system.is_some() => {
+            of_system(arguments)
+        }
+        _ => found(arguments),
     };
     match found {
         Err(outcome) => outcome,
@@ -136,6 +155,58 @@ pub fn run(arguments: &Arguments) -> Outcome {
             finish(&written, Outcome::AsExpected)
         }
     }
+}
+
+fn is_case(path: &str) -> bool {
+    Path::new(path).extension().is_some_and(|own| own == "toml")
+}
+
+/// The angle of attack of a case.
+fn angle(text: &str) -> Result<Fixed, String> {
+    let value = number_of(text.trim()).ok_or("an angle is a number of degrees, such as 68.5")?;
+    Ok(Fixed {
+        name: Variable::ANGLE.name.to_string(),
+        value,
+        text: text.to_string(),
+    })
+}
+
+/// The modes of a case at one angle of attack.
+fn of_case(arguments: &Arguments, path: &Path) -> Result<ModesFound, Outcome> {
+    if arguments.which.system.is_some() {
+        return Err(wrong(
+            "a case has no system of a document",
+            "leave `--system` away, or name the document",
+        ));
+    }
+    let set = arguments.set.iter().chain(&arguments.alpha).cloned();
+    let (mut case, table) = case_and_table(path, &set.collect::<Vec<_>>(), &[])?;
+    case.parameters.aerodynamic_stiffness |= arguments.aerodynamic_stiffness;
+    let section = section_of(&case, &table)?;
+    by_method(arguments, &section, &ExactSection::from(&section))
+}
+
+/// The section of a case at its only angle.
+fn section_of(case: &Case, table: &CoefficientTable) -> Result<Section, Outcome> {
+    let angle = case.angles.from;
+    if case.angles.to > angle {
+        return Err(wrong(
+            &format!("{} has several angles of attack", case.file),
+            "name one of them in degrees: `--alpha 68.5`",
+        ));
+    }
+    let curves = CoefficientCurves::new(table, case.interpolation);
+    let coefficients = curves.at(angle).map_err(|outside| {
+        wrong(
+            &format!("{}: {outside}", table.file()),
+            "name an angle of the table with `--alpha`",
+        )
+    })?;
+    case.section(angle, coefficients).map_err(impossible)
+}
+
+fn impossible(error: StabilityError) -> Outcome {
+    wrong(&error.to_string(), "`sextic modes --help` names the units")
 }
 
 /// The modes of a system that a document derives.
@@ -221,23 +292,39 @@ fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
             "`--set name=value`, in SI units and radians",
         ));
     }
-    let refuse =
-        |error: StabilityError| wrong(&error.to_string(), "`sextic modes --help` names the units");
     let aerodynamic_stiffness = arguments.aerodynamic_stiffness;
     let section = Section::new(Parameters {
         aerodynamic_stiffness,
         ..parameters(&values)
     });
-    let section = section.map_err(refuse)?;
-    let model = Model::new(&section).map_err(refuse)?;
+    let section = section.map_err(impossible)?;
     // The decimals themselves, which need not be doubles.
     let exact = ExactSection::new(Parameters {
         aerodynamic_stiffness,
         ..parameters(&exact)
     });
-    let exact = exact.map_err(refuse)?;
-    let (verdict, diverges) = (exact_verdict(&exact), exact.diverges());
-    let spectrum = |found: Result<Spectrum, StabilityError>| found.map_err(refuse);
+    let mut found = by_method(arguments, &section, &exact.map_err(impossible)?)?;
+    // What a form leaves out is used by its warnings and bounds.
+    let used = needed(&values, true);
+    let unused = values.keys().filter(|name| !used.contains(&name.as_str()));
+    let unused: Vec<&str> = unused.map(String::as_str).collect();
+    if !unused.is_empty() {
+        found
+            .warnings
+            .push(format!("{} did not matter", unused.join(", ")));
+    }
+    Ok(found)
+}
+
+/// The modes of a section by the method that is asked for, with the verdict on the section in exact numbers.
+fn by_method(
+    arguments: &Arguments,
+    section: &Section,
+    exact: &ExactSection,
+) -> Result<ModesFound, Outcome> {
+    let model = Model::new(section).map_err(impossible)?;
+    let (verdict, diverges) = (exact_verdict(exact), exact.diverges());
+    let spectrum = |found: Result<Spectrum, StabilityError>| found.map_err(impossible);
     let is_formula = matches!(arguments.method, Method::Closed | Method::Uniform);
     if arguments.shapes && is_formula {
         return Err(wrong(
@@ -252,26 +339,17 @@ fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
         Method::Companion => by_spectrum("companion", &spectrum(companion::eigenvalues(&model))?),
         Method::Exact => {
             let ExactModes { spectrum, fallback } =
-                exact_modes::eigenvalues(&model).map_err(refuse)?;
+                exact_modes::eigenvalues(&model).map_err(impossible)?;
             let found_by = fallback.map_or("exact", |_| "state");
             let mut found = by_spectrum(found_by, &spectrum);
             found.warnings.extend(fallback.map(|own| own.to_string()));
             found
         }
-        Method::Closed => by_form("closed", closed_form(&section), &model, verdict)?,
+        Method::Closed => by_form("closed", closed_form(section), &model, verdict)?,
         Method::Uniform => by_form("uniform", uniform_form(&model), &model, verdict)?,
         Method::State => by_spectrum("state", &spectrum(state_matrix::eigenvalues(&model))?),
     };
     found.diverges = diverges;
-    // What a form leaves out is used by its warnings and bounds.
-    let used = needed(&values, true);
-    let unused = values.keys().filter(|name| !used.contains(&name.as_str()));
-    let unused: Vec<&str> = unused.map(String::as_str).collect();
-    if !unused.is_empty() {
-        found
-            .warnings
-            .push(format!("{} did not matter", unused.join(", ")));
-    }
     Ok(found)
 }
 

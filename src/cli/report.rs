@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 
+use crate::compile::fixed::Fixed;
 use crate::report::gallery::of_case;
 use crate::report::html::{self, CaseFiles, Request};
 use crate::report::speeds::SpeedsFound;
@@ -14,8 +15,9 @@ use crate::stability::critical_speed::speeds_of;
 use crate::stability::validity::validity;
 
 use super::Outcome;
-use super::case::{case_and_files, refuse};
+use super::case::{refuse, set_case_and_files};
 use super::file::{promising, spare, write_made};
+use super::generate::FixedParser;
 use super::output::{complain, finish};
 use super::source::{Audited, audit_all};
 use super::speeds::USUAL_HIGHEST;
@@ -37,6 +39,10 @@ pub struct Arguments {
     /// A case file: `sextic stability --help` shows one
     #[arg(long, value_name = "CASE.toml")]
     case: Option<PathBuf>,
+
+    /// A quantity of the case, by a name of `sextic sweep`, and its value; may be given several times
+    #[arg(long, value_name = "NAME=VALUE", value_parser = FixedParser, allow_hyphen_values = true, requires = "case")]
+    set: Vec<Fixed>,
 
     /// The file to write
     #[arg(long, value_name = "FILE.html", value_parser = PathBufValueParser::new().try_map(html))]
@@ -62,7 +68,8 @@ Exit status:
 pub fn run(arguments: &Arguments) -> Outcome {
     // The case is read first: it is quickly refused.
     let case = arguments.case.as_ref().map(|path| {
-        let (case, table, files) = case_and_files(path, std::slice::from_ref(&arguments.out))?;
+        let (case, table, files) =
+            set_case_and_files(path, &arguments.set, std::slice::from_ref(&arguments.out))?;
         let comparison = compare(&case, &table).map_err(|error| refuse(&error))?;
         let figures = of_case(&comparison, &table).map_err(|error| refuse(&error))?;
         let speeds = SpeedsFound {

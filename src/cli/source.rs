@@ -1,7 +1,7 @@
 //! Reading documents from the disk.
 
 use std::collections::BTreeSet;
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
 use crate::documents::{ShippedLibrary, resolve, shipped};
@@ -31,33 +31,60 @@ pub struct Audited {
 ///
 /// What is wrong with a document is written to standard error, and the others are audited all the same.
 pub fn audit_all(paths: &[String]) -> Audited {
-    let mut audited = Audited {
-        audits: Vec::new(),
-        messages: Messages::default(),
-        outcome: Outcome::AsExpected,
-        known: BTreeSet::new(),
-    };
+    let mut audited = Audited::nothing();
     if paths.is_empty() {
         shipped().for_each(|source| audited.audit(&source, &ShippedLibrary));
     }
-    for path in paths {
-        match read(path) {
-            Ok(source) => audited.audit(&source, &Disk),
-            Err(Unread::Text(mistake)) => audited.tell(&mistake.0, &mistake.1),
-            Err(Unread::File(message)) => {
-                audited.outcome = wrong(&message.message, message.help.as_deref().unwrap_or(""));
-                audited.messages.told.push(message);
-            }
-        }
+    paths.iter().for_each(|path| audited.read(path));
+    audited.tell_rest();
+    audited
+}
+
+/// Audits the document with this path, or the paper that comes with the command.
+///
+/// What is wrong with it is written to standard error.
+pub fn audit_one(path: Option<&str>) -> Audited {
+    let mut audited = Audited::nothing();
+    match path {
+        Some(path) => audited.read(path),
+        None => shipped()
+            .take(1)
+            .for_each(|source| audited.audit(&source, &ShippedLibrary)),
     }
-    let left_out = audited.messages.left_out;
-    if left_out > 0 {
-        complain(&format!("… and {}\n", counted(left_out, "more mistake")));
-    }
+    audited.tell_rest();
     audited
 }
 
 impl Audited {
+    fn nothing() -> Self {
+        Audited {
+            audits: Vec::new(),
+            messages: Messages::default(),
+            outcome: Outcome::AsExpected,
+            known: BTreeSet::new(),
+        }
+    }
+
+    /// Reads and audits a document on the disk.
+    fn read(&mut self, path: &str) {
+        match read(path) {
+            Ok(source) => self.audit(&source, &Disk),
+            Err(Unread::Text(mistake)) => self.tell(&mistake.0, &mistake.1),
+            Err(Unread::File(message)) => {
+                self.outcome = wrong(&message.message, message.help.as_deref().unwrap_or(""));
+                self.messages.told.push(message);
+            }
+        }
+    }
+
+    /// Tells how many mistakes were not told.
+    fn tell_rest(&self) {
+        let left_out = self.messages.left_out;
+        if left_out > 0 {
+            complain(&format!("… and {}\n", counted(left_out, "more mistake")));
+        }
+    }
+
     fn audit(&mut self, source: &SourceFile, library: &dyn Library) {
         match audit_after(&self.audits, source, library) {
             Err(rejected) => {
@@ -116,10 +143,18 @@ enum Unread {
     Text(Box<(Diagnostic, SourceFile)>),
 }
 
+/// What stands for standard input where a document is named.
+const STANDARD_INPUT: &str = "-";
+/// How messages call it; what it imports is sought from the folder that one is in.
+const NAME_OF_STANDARD_INPUT: &str = "standard input";
+
 fn read(path: &str) -> Result<SourceFile, Unread> {
-    // Spelled as an import would spell it, so that a document that imports itself is recognised.
-    let name = resolve(&slashes(path), "");
-    let bytes = bytes_of(path).map_err(|error| Unread::File(unreadable(path, &error)))?;
+    let (name, bytes) = match path {
+        STANDARD_INPUT => (NAME_OF_STANDARD_INPUT.to_string(), standard_input()),
+        // Spelled as an import would spell it, so that a document that imports itself is recognised.
+        _ => (resolve(&slashes(path), ""), bytes_of(path)),
+    };
+    let bytes = bytes.map_err(|error| Unread::File(unreadable(path, &error)))?;
     let source = SourceFile::from_bytes(&name, &bytes);
     source.map_err(|error| {
         let shown = SourceFile::from_bytes_lossy(&name, &bytes);
@@ -130,6 +165,14 @@ fn read(path: &str) -> Result<SourceFile, Unread> {
 /// The bytes of a file, and one more than a document may have of a larger one.
 fn bytes_of(path: &str) -> std::io::Result<Vec<u8>> {
     regular_file::bytes(Path::new(path), MAXIMUM_SIZE as u64 + 1)
+}
+
+/// What is written to the command, within the same limit.
+fn standard_input() -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let mut limited = io::stdin().lock().take(MAXIMUM_SIZE as u64 + 1);
+    limited.read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 fn unreadable(path: &str, error: &std::io::Error) -> Message {

@@ -39,7 +39,8 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME=FROM:TO", value_parser = followed, allow_hyphen_values = true)]
     over: Option<Followed>,
 
-    /// A quantity of a system, and its value; may be given several times
+    /// A quantity of the system, or of the case by a name of `sextic sweep`, and its value; may be given
+    /// several times
     #[arg(long, value_name = "NAME=VALUE", value_parser = FixedParser, allow_hyphen_values = true)]
     set: Vec<Fixed>,
 
@@ -74,6 +75,7 @@ with its error, as an enclosure.
 
 Examples:
   sextic speeds case.toml
+  sextic speeds case.toml --set alpha_deg=68.5 --set L_g=0.002
   sextic speeds case.toml --to 40 --plot speeds.svg
   sextic speeds case.toml --to 40 --format json | jq '.points[].critical'
   sextic speeds mine.md --system bridge --set m=2 --over U=0:100";
@@ -83,12 +85,6 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let input = arguments.input.as_deref();
     if arguments.over.is_some() || is_document(input, &arguments.which) {
         return of_system(arguments);
-    }
-    if !arguments.set.is_empty() {
-        return wrong(
-            "a case has its quantities from its file",
-            "`--set` is for the system of a document",
-        );
     }
     of_case(arguments, input.unwrap_or(Path::new("")))
 }
@@ -134,7 +130,7 @@ fn of_system(arguments: &Arguments) -> Outcome {
 }
 
 fn of_case(arguments: &Arguments, path: &Path) -> Outcome {
-    let (case, table) = match case_and_table(path, arguments.view.outputs()) {
+    let (case, table) = match case_and_table(path, &arguments.set, arguments.view.outputs()) {
         Ok(both) => both,
         Err(outcome) => return outcome,
     };

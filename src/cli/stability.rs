@@ -8,7 +8,7 @@ use crate::report::{csv, json, stability_figure, text};
 use crate::stability::comparison::{Comparison, compare};
 
 use super::Outcome;
-use super::case::{case_and_files, refuse, warn};
+use super::case::{Overrides, refuse, set_case_and_files, warn};
 use super::view::View;
 
 /// Shows at which angles a section gallops, and how the methods agree
@@ -25,13 +25,16 @@ pub struct Arguments {
     case: PathBuf,
 
     #[command(flatten)]
+    overrides: Overrides,
+
+    #[command(flatten)]
     view: View,
 }
 
 const EXAMPLES: &str = "\
 Examples:
   sextic stability case.toml
-  sextic stability case.toml --plot stability.svg
+  sextic stability case.toml --set U=12 --plot stability.svg
   sextic stability case.toml --format csv > curves.csv
 
 A case file:
@@ -114,6 +117,10 @@ pub fn run(arguments: &Arguments) -> Outcome {
 
 /// A case from the disk, compared at all its angles.
 fn comparison(arguments: &Arguments) -> Result<Comparison, Outcome> {
-    let (case, table, _) = case_and_files(&arguments.case, arguments.view.outputs())?;
+    let (case, table, _) = set_case_and_files(
+        &arguments.case,
+        &arguments.overrides.set,
+        arguments.view.outputs(),
+    )?;
     compare(&case, &table).map_err(|error| refuse(&error))
 }

@@ -8,7 +8,7 @@ use crate::report::{csv, json, text, validity_figure};
 use crate::stability::validity::validity;
 
 use super::Outcome;
-use super::case::{case_and_table, refuse};
+use super::case::{Overrides, case_and_table, refuse};
 use super::view::View;
 
 /// Shows where the closed forms of a case may be trusted
@@ -22,6 +22,9 @@ pub struct Arguments {
     /// A case file: `sextic stability --help` shows one
     #[arg(value_name = "CASE")]
     case: PathBuf,
+
+    #[command(flatten)]
+    overrides: Overrides,
 
     #[command(flatten)]
     view: View,
@@ -49,7 +52,11 @@ Exit status:
 
 /// Computes the map of a case and writes it.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let (case, table) = match case_and_table(&arguments.case, arguments.view.outputs()) {
+    let (case, table) = match case_and_table(
+        &arguments.case,
+        &arguments.overrides.set,
+        arguments.view.outputs(),
+    ) {
         Ok(both) => both,
         Err(outcome) => return outcome,
     };

@@ -299,6 +299,17 @@ impl Elaborator {
         paid.map_err(|exhausted| algebra(exhausted.into(), span))
     }
 
+    /// An element as sums above and below the line, which is kept until the document ends.
+    pub(crate) fn present_expanded(
+        &self,
+        element: &Fraction,
+        span: &Span,
+    ) -> Result<Expression, Diagnostic> {
+        self.pay(element, STEPS_FOR_A_WRITTEN_TERM, span)?;
+        let expression = self.presenter().expanded(element);
+        expression.map_err(|error| algebra(error, span))
+    }
+
     /// An element as an expression, which is kept until the document ends.
     pub(crate) fn present(
         &self,

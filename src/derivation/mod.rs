@@ -10,4 +10,5 @@ pub mod matching;
 pub mod presentation;
 pub mod quantity;
 pub mod scope;
+pub mod shown;
 mod system;

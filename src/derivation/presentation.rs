@@ -35,14 +35,7 @@ impl Presenter<'_> {
     /// [`AlgebraError::Exhausted`]
     pub fn element(&self, element: &Fraction) -> Result<Expression, AlgebraError> {
         if element.numerator().len().max(element.denominator().len()) > MOST_TERMS_TO_FACTOR {
-            let above = self.polynomial(element.numerator())?;
-            return Ok(match element.denominator().as_constant() {
-                Some(one) if one == Integer::ONE => above,
-                _ => {
-                    let below = self.polynomial(element.denominator())?;
-                    Expression::binary(BinaryOperator::Divide, above, below)
-                }
-            });
+            return self.expanded(element);
         }
         let factored = self.ring.factored(element)?;
         if element.is_zero() {
@@ -90,6 +83,22 @@ impl Presenter<'_> {
         Ok(match below.is_empty() {
             true => above,
             false => Expression::binary(BinaryOperator::Divide, above, product(below)),
+        })
+    }
+
+    /// The element as the ring holds it: sums above and below the line.
+    ///
+    /// # Errors
+    ///
+    /// [`AlgebraError::Exhausted`]
+    pub fn expanded(&self, element: &Fraction) -> Result<Expression, AlgebraError> {
+        let above = self.polynomial(element.numerator())?;
+        Ok(match element.denominator().as_constant() {
+            Some(one) if one == Integer::ONE => above,
+            _ => {
+                let below = self.polynomial(element.denominator())?;
+                Expression::binary(BinaryOperator::Divide, above, below)
+            }
         })
     }
 

@@ -22,13 +22,14 @@ const NAMING: [&str; 2] = ["substitution", "match"];
 /// The words behind which the name of something stands that is to be compiled.
 const COMPILING: [&str; 2] = ["system", "evaluator"];
 /// The words of statements that declare nothing and assume nothing.
-const SILENT: [&str; 6] = [
+const SILENT: [&str; 7] = [
     "claim",
     "refute",
     "approximate",
     "ill",
     "eigenpair",
     "domain",
+    "show",
 ];
 
 /// What a statement is meant to do, as far as others rest on it.
@@ -108,6 +109,7 @@ impl Intent {
             StatementKind::Assume { .. } => intent.may_assume = true,
             StatementKind::Assertion { .. }
             | StatementKind::Eigenpair { .. }
+            | StatementKind::Show { .. }
             | StatementKind::Domain(_) => {}
         }
         let mentions = statement.mentions().into_iter();

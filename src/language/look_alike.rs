@@ -150,6 +150,7 @@ fn declared(statement: &Statement) -> Vec<&Spanned<Name>> {
         | StatementKind::Assume { .. }
         | StatementKind::Assertion { .. }
         | StatementKind::Eigenpair { .. }
+        | StatementKind::Show { .. }
         | StatementKind::Domain(_) => Vec::new(),
     }
 }

@@ -35,6 +35,7 @@ impl Statement {
             | StatementKind::Coordinate { .. }
             | StatementKind::Imaginary { .. } => {}
             StatementKind::Function { reference, .. } => reference.collect_mentions(&mut found),
+            StatementKind::Show { expression, .. } => expression.collect_mentions(&mut found),
             StatementKind::Assume { relation, .. } => of_relation(relation, &mut found),
             StatementKind::Definition {
                 arguments, values, ..

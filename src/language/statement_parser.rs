@@ -13,7 +13,7 @@ use super::syntax::{
 use crate::algebra::number::Rational;
 
 /// The words a statement can begin with; anywhere else they are names like others.
-const KEYWORDS: [&str; 18] = [
+const KEYWORDS: [&str; 19] = [
     "parameter",
     "complex",
     "angle",
@@ -31,6 +31,7 @@ const KEYWORDS: [&str; 18] = [
     "system",
     "evaluator",
     "domain",
+    "show",
     "import",
 ];
 
@@ -96,6 +97,7 @@ impl Cursor<'_> {
             "system" => Self::system,
             "evaluator" => Self::evaluator,
             "domain" => |cursor| Ok(StatementKind::Domain(cursor.replacements()?)),
+            "show" => Self::show,
             "import" => Self::import,
             _ => return self.definition_or_unknown_keyword(),
         };
@@ -105,8 +107,9 @@ impl Cursor<'_> {
 
     /// Whether a function is defined here that is called like a declaration: `complex(z) := …`.
     fn is_at_defined_function(&self) -> bool {
+        let word = self.peek_text();
         self.peek_at(1) == Some(TokenKind::OpenRound)
-            && DECLARATIONS.contains(&self.peek_text())
+            && (DECLARATIONS.contains(&word) || word == "show")
             && self.is_ahead(TokenKind::Define)
     }
 
@@ -209,6 +212,26 @@ impl Cursor<'_> {
                 return Ok(small);
             }
         }
+    }
+
+    /// `F_θ at rest "…"`
+    fn show(&mut self) -> Parsed<StatementKind> {
+        if self.peek().is_none() {
+            let help = "say what is shown: `show a + b`";
+            return Err(self.expected("an expression").with_help(help));
+        }
+        let expression = self.expression()?;
+        let description = self.description()?;
+        if description.is_none() && self.peek().is_some() {
+            let help = "one expression is shown, without a label: `show a + b`; two sides are compared by `claim`";
+            let unexpected = || self.expected_after_operand("a description or the end");
+            let error = self.surplus_bracket().unwrap_or_else(unexpected);
+            return Err(error.or_help(help));
+        }
+        Ok(StatementKind::Show {
+            expression,
+            description,
+        })
     }
 
     /// `(15, mode 1) of K, M: value ω_n^2 vector [0; 1; 0] "…"`

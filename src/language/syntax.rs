@@ -367,6 +367,13 @@ pub enum StatementKind {
     System(Box<SystemStatement>),
     /// `domain m = [1, 50], U = [5, 40]`
     Domain(Vec<Replacement>),
+    /// `show F_θ at rest "…"`
+    Show {
+        /// What is shown.
+        expression: Expression,
+        /// In words.
+        description: Option<String>,
+    },
 }
 
 /// Equations of motion that are to be computed.

@@ -10,6 +10,7 @@ mod matching;
 mod mathematics;
 mod prose;
 mod repetition;
+mod shown;
 mod statement;
 
 use serde::Serialize;

@@ -3,6 +3,7 @@
 mod escape;
 
 use crate::derivation::matching::{Matched, Row};
+use crate::derivation::shown::Shown;
 use crate::language::notation::Notation;
 use crate::language::syntax::Expression;
 use crate::verdict::audit::Audit;
@@ -10,6 +11,7 @@ use crate::verdict::claim::{Claim, Verdict};
 
 use super::details::{Extent, details};
 use super::phrase::Phrase;
+use super::shown::{lines, size};
 use super::summary::Summary;
 use super::{premises, refusals, residuals, words};
 use escape::{Prose, literal};
@@ -90,6 +92,12 @@ fn audit(audit: &Audit) -> String {
     for claim in &audit.claims {
         page += &self::claim(claim, prose);
     }
+    if !audit.shown.is_empty() {
+        page += "\n\\subsection*{Shown}\n";
+    }
+    for shown in &audit.shown {
+        page += &self::shown(shown, prose);
+    }
     page
 }
 
@@ -137,6 +145,19 @@ fn claim(claim: &Claim, prose: &Prose) -> String {
             detail.keyword,
             phrase(&detail.phrase, prose)
         );
+    }
+    written
+}
+
+fn shown(shown: &Shown, prose: &Prose) -> String {
+    let words = shown.description.iter().cloned().chain(size(shown));
+    let words: Vec<String> = words.map(|words| prose.escape(&words)).collect();
+    let (line, words) = (shown.line, words.join(": "));
+    let mut written = format!("\n\\assertion{{line {line}}}{{}}{{{words}}}\n");
+    written += &format!("{}\\par\n", formula(&shown.expression));
+    for line in lines(shown, Notation::Latex) {
+        let (keyword, phrase) = (literal(&line.keyword), phrase(&line.phrase, prose));
+        written += &format!("{keyword} {phrase}\\par\n");
     }
     written
 }

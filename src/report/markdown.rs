@@ -3,6 +3,7 @@
 use std::fmt::Display;
 
 use crate::derivation::matching::{Matched, Row};
+use crate::derivation::shown::Shown;
 use crate::language::notation::Notation;
 use crate::language::syntax::Expression;
 use crate::verdict::audit::Audit;
@@ -10,6 +11,7 @@ use crate::verdict::claim::Claim;
 
 use super::details::{Detail, Extent, details};
 use super::phrase::Phrase;
+use super::shown::{lines, size};
 use super::summary::Summary;
 use super::{premises, refusals, residuals, words};
 
@@ -54,6 +56,12 @@ pub fn audit(audit: &Audit) -> String {
     }
     for claim in &audit.claims {
         page += &self::claim(claim);
+    }
+    if !audit.shown.is_empty() {
+        page += "\n## Shown\n\n| line | expression | is |\n|---:|---|---|\n";
+    }
+    for shown in &audit.shown {
+        page += &self::shown(shown);
     }
     page
 }
@@ -127,6 +135,18 @@ fn claim(claim: &Claim) -> String {
         says + &statement,
         details.join("<br>"),
     ])
+}
+
+fn shown(shown: &Shown) -> String {
+    let words = shown.description.iter().cloned().chain(size(shown));
+    let head = words.map(|words| format!("{}<br>", escape(&words)));
+    let says = head.collect::<String>() + &formula(&shown.expression);
+    let lines = lines(shown, Notation::Latex);
+    let lines: Vec<String> = lines
+        .iter()
+        .map(|line| format!("{} {}", escape(&line.keyword), phrase(&line.phrase)))
+        .collect();
+    row(&[shown.line.to_string(), says, lines.join("<br>")])
 }
 
 fn coefficients_row(matched: &Matched, coefficients: &Row) -> String {

@@ -27,6 +27,7 @@ pub mod premises;
 pub mod ranges;
 pub mod refusals;
 pub mod residuals;
+pub mod shown;
 #[cfg(feature = "stability")]
 pub mod speeds;
 #[cfg(feature = "stability")]

@@ -131,7 +131,7 @@ pub fn title(comparison: &Comparison) -> String {
     };
     format!(
         "{}: {angles}; {free}; U = {} m/s{}",
-        case.file,
+        case.title(),
         given(case.parameters.wind_speed),
         with_stiffness(case)
     )

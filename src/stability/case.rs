@@ -8,10 +8,10 @@ mod keys;
 use self::file::File;
 use self::keys::{Lines, SWEEP, check_keys, not_read};
 use super::error::StabilityError;
-use super::forces::Forces;
 use super::input::{InputError, Place, Remark};
 use super::interpolation::Interpolation;
 use super::section::{Coefficients, Parameters, Section};
+use super::variable::Setting;
 
 /// A case file, read and checked.
 ///
@@ -67,6 +67,8 @@ pub struct Case {
     pub interpolation: Interpolation,
     /// The angles.
     pub angles: Angles,
+    /// What was set in place of what the file and its table say.
+    pub set: Vec<Setting>,
 }
 
 /// The angles of attack at which a section is looked at.
@@ -152,9 +154,67 @@ impl Case {
                 step: steps.step,
                 turn: read.sweep.turn.unwrap_or(Turn::Section),
             },
+            set: Vec::new(),
         };
         case.check(&lines)?;
         Ok(case)
+    }
+
+    /// The case with other values of some quantities; the angle of attack becomes the only one.
+    ///
+    /// # Errors
+    ///
+    /// If two set the same quantity, one sets nothing, or a value is not possible.
+    pub fn with(&self, set: &[Setting]) -> Result<Self, InputError> {
+        for (place, own) in set.iter().enumerate() {
+            self.check_setting(own, &set[..place])?;
+        }
+        let mut case = Case {
+            set: set.to_vec(),
+            ..self.clone()
+        };
+        for own in set {
+            if own.variable.is_angle() {
+                (case.angles.from, case.angles.to) = (own.value, own.value);
+            }
+            own.variable.set(&mut case.parameters, own.value);
+        }
+        let place = || Place::file(&format!("--set {}", listed(set)));
+        case.check(&Lines::default()).map_err(|error| InputError {
+            place: place(),
+            ..error
+        })?;
+        Ok(case)
+    }
+
+    /// The file, and what was set.
+    pub fn title(&self) -> String {
+        match self.set.is_empty() {
+            true => self.file.clone(),
+            false => format!("{} with {}", self.file, listed(&self.set)),
+        }
+    }
+
+    /// Sees that a quantity is set once, and that it is one.
+    fn check_setting(&self, own: &Setting, earlier: &[Setting]) -> Result<(), InputError> {
+        let (place, name) = (Place::file("--set"), own.variable.name);
+        let mut earlier = earlier.iter().map(|other| other.variable);
+        if let Some(other) = earlier.find(|other| own.variable.clashes(*other)) {
+            let what = match other.name == name {
+                true => format!("{name} is set twice"),
+                false => format!("{} and {name} set the same quantity", other.name),
+            };
+            return Err(InputError::new(
+                place,
+                what,
+                "set every quantity once, by one name",
+            ));
+        }
+        if own.variable.is_held(&self.parameters) {
+            let what = format!("{name} does nothing: its coordinate is held");
+            return Err(InputError::new(place, what, "see `free` in the case"));
+        }
+        Ok(())
     }
 
     /// The section at an angle of attack in degrees, with the coefficients there.
@@ -177,12 +237,17 @@ impl Case {
             Turn::Section => (0.0, alpha),
             Turn::Wind => (alpha, 0.0),
         };
-        Parameters {
+        let mut parameters = Parameters {
             wind_angle,
             attitude,
             forces: coefficients.into(),
             ..self.parameters
+        };
+        // Coefficients are those of the table, unless they are set.
+        for own in &self.set {
+            own.variable.set(&mut parameters, own.value);
         }
+        parameters
     }
 
     /// What is possible but odd about its numbers, as where a unit was mistaken.
@@ -286,6 +351,12 @@ impl Case {
         let place = lines.place(&self.file, table, key);
         InputError::new(place, format!("{key} = {value} must be {must_be}"), help)
     }
+}
+
+/// `U = 12, m = 3`
+fn listed(set: &[Setting]) -> String {
+    let shown: Vec<String> = set.iter().map(ToString::to_string).collect();
+    shown.join(", ")
 }
 
 #[cfg(test)]

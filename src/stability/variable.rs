@@ -1,6 +1,7 @@
-//! The quantities of a case that a grid may vary.
+//! The quantities of a case that a grid may vary, and that a command may set.
 
 use std::f64::consts::TAU;
+use std::fmt;
 
 use super::coordinate::Coordinate;
 use super::forces::Forces;
@@ -22,6 +23,27 @@ enum Set {
     Parameter(fn(&mut Parameters, f64)),
     /// In place of what the table says.
     Coefficient(fn(&mut Coefficients, f64)),
+}
+
+/// A quantity of a case, and the value that it is given.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting {
+    /// The quantity.
+    pub variable: Variable,
+    /// Its value, in the unit of its name.
+    pub value: f64,
+}
+
+impl PartialEq for Setting {
+    fn eq(&self, other: &Self) -> bool {
+        (self.variable.name, self.value) == (other.variable.name, other.value)
+    }
+}
+
+impl fmt::Display for Setting {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{} = {}", self.variable.name, self.value)
+    }
 }
 
 const fn parameter(name: &'static str, set: fn(&mut Parameters, f64)) -> Variable {

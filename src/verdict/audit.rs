@@ -6,6 +6,7 @@ mod import;
 mod judgement;
 mod reader;
 mod refusal;
+mod showing;
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -15,6 +16,7 @@ use super::explanation::Explanation;
 use crate::derivation::domain::Domain;
 use crate::derivation::elaboration::Elaborator;
 use crate::derivation::matching::Matched;
+use crate::derivation::shown::Shown;
 use crate::language::diagnostic::{Diagnostic, SourceFile, render};
 use crate::language::evaluator::Evaluator;
 use crate::language::mention::Mention;
@@ -52,6 +54,8 @@ pub struct Audit {
     pub claims: Vec<Claim>,
     /// Its matchings, in order.
     pub matchings: Vec<Matched>,
+    /// What it shows, in order.
+    pub shown: Vec<Shown>,
     /// What it wants compiled itself, in order.
     pub evaluators: Vec<Evaluator>,
     /// The systems that it wants computed itself, in order.
@@ -243,6 +247,7 @@ pub fn audit_after(
         title: read.title,
         claims,
         matchings: read.matchings,
+        shown: read.shown,
         evaluators: read.evaluators,
         systems: read.systems,
         mistakes: in_order(reader.refusals.mistakes, &reader.finished),

@@ -6,10 +6,15 @@ mod figures;
 #[cfg(feature = "stability")]
 mod files;
 mod generation;
+mod input;
 #[cfg(feature = "stability")]
 mod modes;
+mod new;
 #[cfg(feature = "stability")]
 mod report;
+#[cfg(feature = "stability")]
+mod set;
+mod show;
 #[cfg(feature = "stability")]
 mod speeds;
 #[cfg(feature = "stability")]

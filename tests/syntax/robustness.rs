@@ -10,7 +10,7 @@ use sextic::language::notation::Notation;
 #[rustfmt::skip]
 const PIECES: &[&str] = &[
     "parameter ", "angle ", "coordinate ", "function ", "imaginary ", "assume ", "substitution ",
-    "claim ", "refute ", "approximate ", "ill-formed ", "eigenpair ", "match ", "import ", " as ",
+    "claim ", "refute ", "approximate ", "ill-formed ", "eigenpair ", "match ", "show ", "import ", " as ",
     " at ", " to order 1 in ", " of ", " value ", " vector ", " with ", " in ", " unknown ",
     " neglect ", " small ", "(", ")", "[", "]", "|", "√(", "√", ",", ";", ":", ":=", "=", "==", "≈",
     "!=", "<", "<=", "≤", ">", ">=", "≥", "+", "-", "−", "*", "**", "·", "/", "^", "²", "⁻¹", "'",

@@ -197,6 +197,13 @@ fn summary(statement: &Statement) -> String {
             format!("substitution {} | {}", name.value.ascii, replacements(all))
         }
         StatementKind::Domain(all) => format!("domain {}", replacements(all)),
+        StatementKind::Show {
+            expression,
+            description,
+        } => {
+            let expression = Notation::Ascii.expression(expression);
+            format!("show {expression} | {description:?}")
+        }
         StatementKind::Assertion {
             expectation,
             label: named,
@@ -250,6 +257,13 @@ fn summary(statement: &Statement) -> String {
 fn every_form_says_what_it_says() {
     for (text, expected) in [
         (r#"import "other.md""#, "import other.md"),
+        (
+            r#"show F_θ at rest "the moment""#,
+            r#"show F_theta at rest | Some("the moment")"#,
+        ),
+        ("show (a + b)*c", "show (a + b)*c | None"),
+        ("show := a", "define show |  | a"),
+        ("show(x) := x^2", "define show | x | x**2"),
         (
             r#"system (9) section: mass M damping structural = C_s, wind = C_a stiffness K in x, y "two""#,
             r#"system 9/Some("9")/9 | section | M | structural = C_s, wind = C_a | K | x y | Some("two")"#,

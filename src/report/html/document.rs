@@ -8,6 +8,7 @@ use super::assertion::{AssertionView, class};
 use super::matching::MatchingView;
 use super::mathematics::phrase;
 use super::prose::{Heading, Section, sections};
+use super::shown::ShownView;
 use super::statement::{LineView, QuantityView, line, quantity};
 use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::language::document::read_document;
@@ -83,6 +84,7 @@ enum Part {
     Line { line: LineView },
     Assertion { claim: Box<AssertionView> },
     Matching { matching: Box<MatchingView> },
+    Shown { shown: Box<ShownView> },
     Refused { statement: RefusedView },
 }
 
@@ -269,6 +271,13 @@ impl Judged<'_> {
                 let own = matched.find(|own| own.label.id == matching.label.id);
                 parts.extend(own.map(|matched| Part::Matching {
                     matching: Box::new(MatchingView::new(matched, self.anchor)),
+                }));
+            }
+            StatementKind::Show { .. } => {
+                let mut shown = self.audit.shown.iter();
+                let own = shown.find(|own| own.span == statement.span);
+                parts.extend(own.map(|shown| Part::Shown {
+                    shown: Box::new(ShownView::new(shown)),
                 }));
             }
             _ => {}

@@ -52,6 +52,7 @@ impl Repetition {
                 "the matching, power by power",
             ));
         }
+        let set = request.case.map_or(String::new(), settings);
         let mut files = Vec::new();
         for source in request.audits.iter().flat_map(|audit| &audit.sources) {
             // Documents import each other.
@@ -71,25 +72,25 @@ impl Repetition {
             let case = argument("", Some(&case_file.path));
             commands.extend([
                 (
-                    format!("sextic stability{case}"),
+                    format!("sextic stability{case}{set}"),
                     "the unstable ranges and how the methods agree",
                 ),
                 (
-                    format!("sextic stability{case} --plot curves.svg"),
+                    format!("sextic stability{case}{set} --plot curves.svg"),
                     "the curves",
                 ),
                 (
-                    format!("sextic stability{case} --format json"),
+                    format!("sextic stability{case}{set} --format json"),
                     "every angle with every method and the bounds of all errors",
                 ),
                 (
-                    format!("sextic speeds{case} --plot speeds.svg"),
+                    format!("sextic speeds{case}{set} --plot speeds.svg"),
                     "the critical wind speeds",
                 ),
             ]);
             if validity.is_ok() {
                 commands.push((
-                    format!("sextic validity{case} --plot validity.svg"),
+                    format!("sextic validity{case}{set} --plot validity.svg"),
                     "the errors of the closed forms, and their maps",
                 ));
             }
@@ -99,7 +100,7 @@ impl Repetition {
         let case = request.case.map(|case| case.files[0].path.as_str());
         let case = argument(" --case", case);
         commands.push((
-            format!("sextic report{document}{case} --out report.html"),
+            format!("sextic report{document}{case}{set} --out report.html"),
             "this page",
         ));
         let commands = commands.into_iter();
@@ -110,6 +111,16 @@ impl Repetition {
             files,
         }
     }
+}
+
+/// What was set, as a shell reads it.
+fn settings(case: &CaseFiles) -> String {
+    let set = case.comparison.case.set.iter();
+    set.map(|own| {
+        let assigned = format!("{}={}", own.variable.name, own.value);
+        argument(" --set", Some(&assigned))
+    })
+    .collect()
 }
 
 fn file(source: &SourceFile, what: &'static str) -> FileView {

@@ -13,6 +13,7 @@ use crate::verdict::claim::{Claim, Witness};
 
 use super::ascii;
 use super::pairs::{Pairs, definitions};
+use super::shown::{StatementObject, statement};
 
 #[derive(Serialize)]
 struct Documents<'a> {
@@ -34,6 +35,8 @@ struct DocumentObject<'a> {
     claims: Vec<ClaimObject<'a>>,
     /// The ids of the matchings, which `sextic match` shows.
     matchings: Vec<&'a str>,
+    /// What the document shows.
+    shown: Vec<StatementObject<'a>>,
     /// What builds on a refused statement; assertions are among the claims too.
     skipped: Vec<SkippedObject<'a>>,
     as_expected: bool,
@@ -145,6 +148,7 @@ fn document(audit: &Audit) -> DocumentObject<'_> {
         imports: imports.collect(),
         claims: audit.claims.iter().map(claim_object).collect(),
         matchings: matching_ids(audit).collect(),
+        shown: audit.shown.iter().map(statement).collect(),
         skipped: audit.skipped.iter().map(skipped).collect(),
         as_expected: audit.as_expected(),
     }

@@ -13,6 +13,7 @@ mod modes;
 mod pairs;
 #[cfg(feature = "stability")]
 mod ranges;
+mod shown;
 #[cfg(feature = "stability")]
 mod speeds;
 #[cfg(feature = "stability")]
@@ -34,6 +35,7 @@ pub use matching::matchings;
 pub use modes::modes;
 #[cfg(feature = "stability")]
 pub use ranges::ranges;
+pub use shown::shown;
 #[cfg(feature = "stability")]
 pub use speeds::speeds;
 #[cfg(feature = "stability")]

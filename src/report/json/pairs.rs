@@ -3,6 +3,8 @@
 use serde::{Serialize, Serializer};
 
 use crate::language::syntax::{Expression, Name};
+#[cfg(feature = "stability")]
+use crate::stability::case::Case;
 
 use super::ascii;
 
@@ -33,6 +35,22 @@ pub fn definitions(definitions: &[(Expression, Expression)]) -> Pairs {
             .map(|(left, right)| (ascii(left), ascii(right)))
             .collect(),
     )
+}
+
+/// What was set in place of what a case says.
+#[cfg(feature = "stability")]
+pub fn settings(case: &Case) -> Pairs<f64> {
+    let set = case.set.iter();
+    Pairs(
+        set.map(|own| (own.variable.name.to_string(), own.value))
+            .collect(),
+    )
+}
+
+/// Whether there is none.
+#[cfg(feature = "stability")]
+pub fn is_empty<T>(pairs: &Pairs<T>) -> bool {
+    pairs.0.is_empty()
 }
 
 #[cfg(test)]

@@ -6,11 +6,15 @@ use crate::report::speeds::SpeedsFound;
 use crate::stability::comparison::angle;
 use crate::stability::critical_speed::Speeds;
 
+use super::pairs::{Pairs, is_empty, settings};
 use super::write;
 
 #[derive(Serialize)]
 struct Found<'a> {
     case: &'a str,
+    /// What was set in place of what the case says.
+    #[serde(skip_serializing_if = "is_empty")]
+    set: Pairs<f64>,
     to: f64,
     points: Vec<AtAngle<'a>>,
 }
@@ -41,6 +45,7 @@ struct Critical<'a> {
 pub fn speeds(found: &SpeedsFound) -> String {
     write(&Found {
         case: &found.case.file,
+        set: settings(&found.case),
         to: found.highest,
         points: found.angles.iter().map(at_angle).collect(),
     })

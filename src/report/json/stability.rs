@@ -9,11 +9,15 @@ use crate::stability::comparison::{
 };
 use crate::stability::input::Remark;
 
+use super::pairs::{Pairs, is_empty, settings};
 use super::write;
 
 #[derive(Serialize)]
 struct Compared<'a> {
     case: &'a str,
+    /// What was set in place of what the case says.
+    #[serde(skip_serializing_if = "is_empty")]
+    set: Pairs<f64>,
     free: Vec<&'a str>,
     table: &'a str,
     points: Vec<AtAngle<'a>>,
@@ -98,6 +102,7 @@ pub fn comparison(comparison: &Comparison) -> String {
     let case = &comparison.case;
     write(&Compared {
         case: &case.file,
+        set: settings(case),
         free: comparison.free().iter().map(|own| own.name()).collect(),
         table: &comparison.reading,
         points: comparison

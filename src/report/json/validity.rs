@@ -4,11 +4,15 @@ use serde::Serialize;
 
 use crate::stability::validity::{Departure, Form, Validity};
 
+use super::pairs::{Pairs, is_empty, settings};
 use super::write;
 
 #[derive(Serialize)]
 struct Shown<'a> {
     case: &'a str,
+    /// What was set in place of what the case says.
+    #[serde(skip_serializing_if = "is_empty")]
+    set: Pairs<f64>,
     eccentricity: f64,
     delta: f64,
     largest_scaled_damping: f64,
@@ -70,6 +74,7 @@ pub fn validity(validity: &Validity) -> String {
     };
     write(&Shown {
         case: &validity.case.file,
+        set: settings(&validity.case),
         eccentricity,
         delta,
         largest_scaled_damping: validity.strength,

@@ -11,6 +11,7 @@ use super::claim;
 use super::page::Page;
 use super::palette::{self, ALARM, FAINT, GOOD, PLAIN, STRONG};
 use super::run::{Run, spaces};
+use super::shown;
 
 /// Writes all verdicts on a document, and what they come to.
 pub fn audit(audit: &Audit, width: usize) -> String {
@@ -22,9 +23,18 @@ pub fn audit(audit: &Audit, width: usize) -> String {
     for (keyword, phrase) in premises::lines(audit, Notation::Unicode) {
         page.column(KEYWORD, keyword, &phrase);
     }
+    let mut shown = audit.shown.iter().peekable();
     for claim in &audit.claims {
+        while let Some(own) = shown.next_if(|own| own.line < claim.line) {
+            page.gap();
+            shown::write(&mut page, own);
+        }
         page.gap();
         claim::write(&mut page, &audit.path, claim);
+    }
+    for own in shown {
+        page.gap();
+        shown::write(&mut page, own);
     }
     summary(&mut page, audit, &Summary::new(audit));
     page.finish()

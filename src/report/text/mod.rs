@@ -20,6 +20,7 @@ mod prose;
 #[cfg(feature = "stability")]
 mod ranges;
 mod run;
+mod shown;
 #[cfg(feature = "stability")]
 mod speeds;
 #[cfg(feature = "stability")]
@@ -38,6 +39,7 @@ pub use matching::matching;
 pub use modes::modes;
 #[cfg(feature = "stability")]
 pub use ranges::ranges;
+pub use shown::shown;
 #[cfg(feature = "stability")]
 pub use speeds::speeds;
 #[cfg(feature = "stability")]

@@ -15,7 +15,7 @@ pub fn speeds(found: &SpeedsFound, width: usize) -> String {
     let mut page = Page::new(width);
     let title = format!(
         "{}: wind speeds up to {} m/s{}",
-        found.case.file,
+        found.case.title(),
         found.highest,
         with_stiffness(&found.case)
     );

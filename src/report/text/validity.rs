@@ -13,7 +13,7 @@ pub fn validity(validity: &Validity, width: usize) -> String {
     let [e, wind] = validity.own;
     let place = format!(
         "{}: e = L_g/r = {e:.3e}, δ = ρDU/(2mω_n) = {wind:.3e}, δ|S_a| up to {:.3e}",
-        validity.case.file,
+        validity.case.title(),
         wind * validity.strength
     );
     page.prose(&[], &[Run::words(place, STRONG)]);

@@ -179,6 +179,7 @@ impl Reader<'_> {
             | StatementKind::Eigenpair { .. }
             | StatementKind::Match(_)
             | StatementKind::Domain(_)
+            | StatementKind::Show { .. }
             | StatementKind::System(_)
             | StatementKind::Evaluator { .. } => Ok(()),
         }

@@ -12,6 +12,7 @@ use crate::derivation::elaboration::Elaborator;
 use crate::derivation::matching::Matched;
 use crate::derivation::quantity::Quantity;
 use crate::derivation::scope::Meaning;
+use crate::derivation::shown::Shown;
 use crate::language::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
 use crate::language::evaluator::Evaluator;
 use crate::language::intent::{Intent, Unread};
@@ -71,6 +72,7 @@ pub(super) struct Read {
     pub(super) matchings: Vec<Matched>,
     pub(super) evaluators: Vec<Evaluator>,
     pub(super) systems: Vec<System>,
+    pub(super) shown: Vec<Shown>,
     pub(super) checks: Vec<MatchingCheck>,
     /// Assertions that build on refused statements.
     pub(super) skipped_claims: Vec<Claim>,
@@ -299,6 +301,16 @@ impl<'a> Reader<'a> {
             read.matchings.push(matched);
             return Ok(());
         }
+        if let StatementKind::Show {
+            expression,
+            description,
+        } = &statement.kind
+        {
+            let (line, span, words) = (self.here.line, &statement.span, description.as_deref());
+            let shown = self.elaborator.show(expression, words, line, span)?;
+            read.shown.push(shown);
+            return Ok(());
+        }
         if self.ask_for(statement, read)? {
             return Ok(());
         }
@@ -447,5 +459,8 @@ fn what(statement: &StatementKind) -> String {
             format!("the evaluator {} `{}`", label.written(), name.value)
         }
         StatementKind::Domain(_) => "the domain".to_string(),
+        StatementKind::Show { expression, .. } => {
+            format!("`show {}`", Notation::Unicode.expression(expression))
+        }
     }
 }

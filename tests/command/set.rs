@@ -1,0 +1,183 @@
+//! `--set` in the commands that take a case, and the modes of a case.
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use super::{folder, run};
+
+/// The path of a case in a folder of this test's own.
+fn case(name: &str) -> String {
+    let path = folder(name).join("detuned.toml");
+    path.to_str().expect("a path").to_owned()
+}
+
+fn read(arguments: &[&str]) -> Value {
+    let (status, out, errors) = run(&[arguments, &["--format", "json"]].concat());
+    assert_eq!((status, errors.as_str()), (Some(0), ""), "{arguments:?}");
+    serde_json::from_str(&out).expect("JSON")
+}
+
+#[test]
+fn what_is_set_is_as_if_the_file_said_so() {
+    let path = case("set");
+    let text = std::fs::read_to_string(&path).expect("a case");
+    let other = path.replace("detuned", "other");
+    let lines = text.lines().map(|line| match line.split(' ').next() {
+        Some("U") => "U = 4",
+        Some("L_g") => "L_g = 0.002",
+        Some("alpha_deg") => "alpha_deg = { from = 40, to = 40, step = 1 }",
+        _ => line,
+    });
+    std::fs::write(&other, lines.collect::<Vec<_>>().join("\n")).expect("a case");
+    let set = [
+        "--set",
+        "U=4",
+        "--set",
+        "L_g=0.002",
+        "--set",
+        "alpha_deg=40",
+    ];
+    for command in ["stability", "speeds", "validity"] {
+        let mut found = read(&[&[command, &path], &set[..]].concat());
+        let mut wanted = read(&[command, &other]);
+        assert_eq!(
+            found["set"],
+            json!({"U": 4.0, "L_g": 0.002, "alpha_deg": 40.0})
+        );
+        assert_eq!(wanted.get("set"), None, "{command}");
+        for value in [&mut found, &mut wanted] {
+            let members = value.as_object_mut().expect("an object");
+            members.remove("case");
+            members.remove("set");
+        }
+        assert_eq!(found, wanted, "{command}");
+    }
+    let (_, out, _) = run(&[&["stability", &path], &set[..]].concat());
+    assert!(out.contains("with U = 4, L_g = 0.002"), "{out}");
+}
+
+#[test]
+fn coefficients_and_several_names_may_be_set() {
+    let path = case("set-coefficients");
+    let modes = |more: &[&str]| read(&[&["modes", &path, "--alpha", "30"], more].concat());
+    let (own, other) = (modes(&[]), modes(&["--set", "dC_L=3", "--set", "f=1"]));
+    assert_ne!(own["eigenvalues"], other["eigenvalues"]);
+    assert_eq!(other, modes(&["--set", "f=1", "--set", "dC_L=3"]));
+}
+
+#[test]
+fn a_page_says_what_was_set() {
+    let path = case("set-page");
+    let page = path.replace("detuned.toml", "page.html");
+    let (status, _, errors) = run(&[
+        "report",
+        "--case",
+        &path,
+        "--set",
+        "alpha_deg=30",
+        "--set",
+        "U=4",
+        "--out",
+        &page,
+    ]);
+    assert_eq!(status, Some(0), "{errors}");
+    let page = std::fs::read_to_string(page).expect("a page");
+    assert!(page.contains("--set alpha_deg=30 --set U=4"));
+    assert!(page.contains("with alpha_deg = 30, U = 4"));
+}
+
+#[test]
+fn figures_are_drawn_of_what_is_set() {
+    let path = case("set-figures");
+    let out = path.replace("detuned.toml", "figures");
+    let (status, _, errors) = run(&["figures", &path, "--set", "L_g=0.001", "--out", &out]);
+    assert_eq!(status, Some(0), "{errors}");
+}
+
+#[test]
+fn the_modes_of_a_case_are_those_of_its_comparison() {
+    let path = case("modes-of-case");
+    let compared = read(&["stability", &path, "--set", "alpha_deg=68.5"]);
+    let found = read(&["modes", &path, "--alpha", "68.5", "--shapes"]);
+    let point = &compared["points"][0];
+    assert_eq!(found["s3d"], point["s3d"]["exact"]["value"]);
+    assert_eq!(
+        found["verdict"]["name"]
+            .as_str()
+            .or(found["verdict"].as_str()),
+        point["verdict"].as_str()
+    );
+    assert_eq!(found["eigenvalues"].as_array().map(Vec::len), Some(3));
+    assert!(found["eigenvalues"][0]["shape"]["x"]["re"].is_f64());
+    for method in ["uniform", "companion", "exact"] {
+        let other = read(&["modes", &path, "--alpha", "68.5", "--method", method]);
+        assert_eq!(other["verdict"], found["verdict"], "{method}");
+    }
+    // Aerodynamic stiffness may be added.
+    let stiff = read(&["modes", &path, "--alpha", "68.5", "--aerodynamic-stiffness"]);
+    assert_ne!(stiff["eigenvalues"], found["eigenvalues"]);
+}
+
+/// The same case with a table that does not go round.
+fn narrow(path: &str) -> String {
+    let path = Path::new(path);
+    let table = std::fs::read_to_string(path.with_file_name("formulas.csv")).expect("a table");
+    let rows: Vec<&str> = table.lines().take(60).collect();
+    std::fs::write(path.with_file_name("narrow.csv"), rows.join("\n")).expect("a table");
+    let case = std::fs::read_to_string(path).expect("a case");
+    let narrow = path.with_file_name("narrow.toml");
+    std::fs::write(&narrow, case.replace("formulas", "narrow")).expect("a case");
+    narrow.to_str().expect("a path").to_owned()
+}
+
+#[test]
+fn what_cannot_be_set_is_said() {
+    let path = case("set-wrong");
+    let narrow = narrow(&path);
+    for (arguments, message) in [
+        (
+            &["stability", &path, "--set", "L_q=1"][..],
+            "a case has no quantity `L_q`",
+        ),
+        (
+            &["stability", &path, "--set", "L_q=1"],
+            "did you mean `L_g`?",
+        ),
+        (
+            &["speeds", &path, "--set", "U=1", "--set", "U=2"],
+            "U is set twice",
+        ),
+        (
+            &["validity", &path, "--set", "f=1", "--set", "f_x=2"],
+            "f and f_x set the same quantity",
+        ),
+        (
+            &["stability", &path, "--set", "m=-1"],
+            "--set m = -1: m = -1 must be above 0",
+        ),
+        (&["stability", &path, "--set", "r=0.001"], "--set r = 0.001"),
+        (&["stability", &narrow, "--set", "alpha_deg=300"], "outside"),
+        (&["stability", &path, "--set", "U=1e999"], "U=1e999"),
+        (&["modes", &path], "has several angles of attack"),
+        (&["modes", &narrow, "--alpha", "300"], "outside"),
+        (
+            &["modes", &path, "--alpha", "1", "--set", "alpha_deg=2"],
+            "alpha_deg is set twice",
+        ),
+        (
+            &["modes", &path, "--alpha", "x"],
+            "an angle is a number of degrees",
+        ),
+        (&["modes", "--alpha", "1"], "no case is named"),
+        (
+            &["modes", &path, "--alpha", "1", "--system", "s"],
+            "a case has no system",
+        ),
+        (&["report", "--set", "U=1", "--out", "x.html"], "--case"),
+    ] {
+        let (status, out, errors) = run(arguments);
+        assert_eq!((status, out.as_str()), (Some(2), ""), "{arguments:?}");
+        assert!(errors.contains(message), "{arguments:?}: {errors}");
+    }
+}
