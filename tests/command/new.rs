@@ -33,11 +33,14 @@ fn runs(folder: &PathBuf, arguments: &str) -> String {
 /// Runs the commands that an answer recommends.
 #[cfg(feature = "stability")]
 fn follow(folder: &PathBuf, answer: &str) {
-    let commands = answer
-        .lines()
-        .filter_map(|line| line.strip_prefix("  sextic "));
-    let count = commands.map(|command| runs(folder, command)).count();
-    assert!(count > 0, "{answer}");
+    let lines = answer.lines();
+    let commands: Vec<&str> = lines
+        .filter_map(|line| line.strip_prefix("  sextic "))
+        .collect();
+    assert!(!commands.is_empty(), "{answer}");
+    for command in commands {
+        runs(folder, command);
+    }
 }
 
 #[test]

@@ -23,21 +23,22 @@ pub fn audit(audit: &Audit, width: usize) -> String {
     for (keyword, phrase) in premises::lines(audit, Notation::Unicode) {
         page.column(KEYWORD, keyword, &phrase);
     }
+    statements(&mut page, audit);
+    summary(&mut page, audit, &Summary::new(audit));
+    page.finish()
+}
+
+/// The claims, and what is shown in its place among them.
+fn statements(page: &mut Page, audit: &Audit) {
     let mut shown = audit.shown.iter().peekable();
     for claim in &audit.claims {
         while let Some(own) = shown.next_if(|own| own.line < claim.line) {
-            page.gap();
-            shown::write(&mut page, own);
+            shown::write(page, own);
         }
         page.gap();
-        claim::write(&mut page, &audit.path, claim);
+        claim::write(page, &audit.path, claim);
     }
-    for own in shown {
-        page.gap();
-        shown::write(&mut page, own);
-    }
-    summary(&mut page, audit, &Summary::new(audit));
-    page.finish()
+    shown.for_each(|own| shown::write(page, own));
 }
 
 /// How wide the words before a premise are.

@@ -46,6 +46,7 @@ pub fn shown(path: &str, shown: &Shown, width: usize) -> String {
 
 /// Writes what a document shows, among its claims.
 pub fn write(page: &mut Page, shown: &Shown) {
+    page.gap();
     let column = column("· shown", INDENT, FAINT);
     let expression = Notation::Unicode.expression(&shown.expression);
     match words(shown) {

@@ -301,17 +301,7 @@ impl<'a> Reader<'a> {
             read.matchings.push(matched);
             return Ok(());
         }
-        if let StatementKind::Show {
-            expression,
-            description,
-        } = &statement.kind
-        {
-            let (line, span, words) = (self.here.line, &statement.span, description.as_deref());
-            let shown = self.elaborator.show(expression, words, line, span)?;
-            read.shown.push(shown);
-            return Ok(());
-        }
-        if self.ask_for(statement, read)? {
+        if self.show(statement, read)? || self.ask_for(statement, read)? {
             return Ok(());
         }
         if let StatementKind::Domain(stated) = &statement.kind {

@@ -1,4 +1,4 @@
-//! What an expression is that stands in no document, by the names of one.
+//! What expressions are: those that a document shows, and those that stand in none, by the names of one.
 
 use crate::derivation::shown::Shown;
 use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
@@ -6,6 +6,30 @@ use crate::language::expression_parser::parse_expression_with;
 use crate::language::syntax::{Expression, Node, Statement, StatementKind};
 
 use super::Audit;
+use super::reader::{Read, Reader};
+
+impl Reader<'_> {
+    /// Shows what a statement wants shown, if it wants that.
+    pub(super) fn show(
+        &mut self,
+        statement: &Statement,
+        read: &mut Read,
+    ) -> Result<bool, Diagnostic> {
+        let StatementKind::Show {
+            expression,
+            description,
+        } = &statement.kind
+        else {
+            return Ok(false);
+        };
+        let (line, words) = (self.here.line, description.as_deref());
+        let shown = self
+            .elaborator
+            .show(expression, words, line, &statement.span)?;
+        read.shown.push(shown);
+        Ok(true)
+    }
+}
 
 impl Audit {
     /// What an expression is by the names of the document.
