@@ -275,7 +275,8 @@ impl CoefficientTable {
     fn check(&self) -> Result<(), InputError> {
         let file = &self.file;
         if self.rows.len() < FEWEST_ROWS {
-            let what = format!("the table has {} rows of numbers", self.rows.len());
+            let rows = counted(self.rows.len(), "row");
+            let what = format!("the table has {rows} of numbers");
             let help = format!("a curve with a slope needs at least {FEWEST_ROWS}");
             return Err(InputError::new(Place::file(file), what, help));
         }

@@ -91,13 +91,17 @@ impl Sheet {
             ..Sheet::default()
         };
         sheet.read_rows(file, &lines[heading + 1..])?;
-        if sheet
-            .rows
-            .first()
-            .is_some_and(|(_, first)| are_units(first))
-        {
-            sheet.units = sheet.rows.remove(0).1;
-        }
+        // In polars of AeroDyn units stand in a comment, as the heading does.
+        let next = lines
+            .get(heading + 1)
+            .filter(|line| is_comment(line.trim()));
+        let next = next.map(|line| cells(uncommented(line)));
+        let is_first = |sheet: &Sheet| sheet.rows.first().is_some_and(|(_, own)| are_units(own));
+        sheet.units = match next.filter(|own| are_units(own)) {
+            Some(units) => units,
+            None if is_first(&sheet) => sheet.rows.remove(0).1,
+            None => Vec::new(),
+        };
         Ok(sheet)
     }
 
