@@ -64,10 +64,10 @@ A case file:
   alpha_deg = { from = 0, to = 180, step = 0.5 }
   turn = \"section\"                # alpha turns the section (theta_0), or \"wind\" (alpha_0)
 
-A table names its columns in a row by their usual names (alpha_deg, AoA, alpha [rad]; CL, Cl, C_L; CD;
-CM), separated by commas, semicolons, tabs or blanks. A row of units, comments (#, !, %, //), other
-columns, any order of rows and rows that are repeated are read over, and said; polars of AeroDyn are
-such tables.
+A table names its columns in a row by their usual names (alpha_deg, AoA, alpha [rad]; CL, Cl, C_L;
+CD; CM), separated by commas, semicolons, tabs or blanks. A row of units, comments (#, !, %, //),
+other columns, any order of rows and rows that are repeated are read over, and said; polars of
+AeroDyn are such tables.
 
 Signs: the wind blows along (cos alpha_0, sin alpha_0) in the plane of x and y. Positive theta moves
 a point at the distance L and the angle beta from the elastic centre O, at (-L cos beta, L sin
