@@ -114,7 +114,11 @@ fn messages_quote_a_line_at_most() {
     }
     std::fs::write(&own, &case).expect("a case");
     for (old, new, said) in [
-        ("alpha_deg", format!("a{long}"), "the column alpha_deg is missing"),
+        (
+            "alpha_deg",
+            format!("a{long}"),
+            "the column alpha_deg is missing",
+        ),
         ("\n2,", format!("\n{long}x,"), "is no number"),
         ("\n2,", format!("\n{long},"), "is no number"),
     ] {
