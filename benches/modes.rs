@@ -14,7 +14,7 @@ use sextic::stability::section::Section;
 use sextic::stability::{exact_modes, state_matrix};
 use sextic_evaluators::dispatch::{Level, Mode};
 use sextic_evaluators::exact_modes_batch::{ModesSlicesMut, exact_modes_batch_at};
-use sextic_evaluators::scaled_entries::ScaledEntriesInputs;
+use sextic_evaluators::section_matrices::SectionMatricesInputs;
 use side_by_side::{Contender, compare};
 
 const POINTS: usize = 1024;
@@ -144,7 +144,7 @@ fn check(way: &str, sections: &[Section], matrices: &[Matrix6<f64>], results: &R
 }
 
 /// The real part of p(λ)/Π(λ − λ_j), the distance of a root from its approximation but for the square of it.
-fn correction(own: &ScaledEntriesInputs<f64>, found: &[(f64, f64); 3], place: usize) -> f64 {
+fn correction(own: &SectionMatricesInputs<f64>, found: &[(f64, f64); 3], place: usize) -> f64 {
     let double = |value: f64| Double(value, 0.0);
     let real = |value: Double| Complex(value, double(0.0));
     // 1/r and 1/(2m) with a correction of their rounding.

@@ -6,7 +6,7 @@ use sextic::stability::coordinate::FreeCoordinates;
 use sextic::stability::exact_modes::inputs;
 use sextic::stability::forces::Forces;
 use sextic::stability::section::{Coefficients, Parameters, Section};
-use sextic_evaluators::scaled_entries::ScaledEntriesSlices;
+use sextic_evaluators::section_matrices::SectionMatricesSlices;
 
 /// SplitMix64.
 struct Random(u64);
@@ -117,8 +117,8 @@ macro_rules! quantities {
                 Columns { $($name: inputs.iter().map(|own| own.$name).collect()),* }
             }
 
-            pub fn slices(&self) -> ScaledEntriesSlices<'_> {
-                ScaledEntriesSlices { $($name: &self.$name),* }
+            pub fn slices(&self) -> SectionMatricesSlices<'_> {
+                SectionMatricesSlices { $($name: &self.$name),* }
             }
         }
     };

@@ -38,7 +38,7 @@
 use super::comparison::Comparison;
 use super::complex::Complex;
 use super::reference::{LARGEST, Reference};
-use super::scaled_entries::ScaledEntriesInputs;
+use super::section_matrices::SectionMatricesInputs;
 use super::shifted_polynomial::ShiftedPolynomialOutputs;
 use super::starting_values::starting_values;
 
@@ -93,13 +93,13 @@ pub struct Modes<T> {
 /// The radii are infinite if the section has not three oscillating modes, if L_g is r or above or nearly so,
 /// if quantities are not numbers or absurd, and where roots (nearly) coincide.
 #[must_use]
-pub fn exact_modes(section: &ScaledEntriesInputs<f64>) -> Modes<f64> {
+pub fn exact_modes(section: &SectionMatricesInputs<f64>) -> Modes<f64> {
     exact_modes_body(section)
 }
 
 /// What every function computes, on any numbers.
 #[inline(always)]
-pub(super) fn exact_modes_body<T: Comparison>(section: &ScaledEntriesInputs<T>) -> Modes<T> {
+pub(super) fn exact_modes_body<T: Comparison>(section: &SectionMatricesInputs<T>) -> Modes<T> {
     let reference = Reference::of(section);
     let polynomial = reference.polynomial();
     let roots = starting_values(&reference, &polynomial);

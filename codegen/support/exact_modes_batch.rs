@@ -6,7 +6,7 @@ use super::batch::{self, Batched};
 use super::dispatch::{LengthMismatch, Level, Mode};
 use super::exact_modes::{Modes, exact_modes_body};
 use super::lanes::Lanes;
-use super::scaled_entries::{self, ScaledEntriesInputs, ScaledEntriesSlices};
+use super::section_matrices::{self, SectionMatricesInputs, SectionMatricesSlices};
 
 /// The outputs of [`exact_modes_batch`]: slices of the length of the inputs.
 pub type ModesSlicesMut<'a> = Modes<&'a mut [f64]>;
@@ -18,7 +18,7 @@ pub type ModesSlicesMut<'a> = Modes<&'a mut [f64]>;
 ///
 /// If the slices do not all have the same length; then nothing is written.
 pub fn exact_modes_batch(
-    sections: &ScaledEntriesSlices<'_>,
+    sections: &SectionMatricesSlices<'_>,
     modes: &mut ModesSlicesMut<'_>,
     mode: Mode,
 ) -> Result<(), LengthMismatch> {
@@ -32,7 +32,7 @@ pub fn exact_modes_batch(
 /// If the slices do not all have the same length; then nothing is written.
 pub fn exact_modes_batch_at(
     level: Level,
-    sections: &ScaledEntriesSlices<'_>,
+    sections: &SectionMatricesSlices<'_>,
     modes: &mut ModesSlicesMut<'_>,
     mode: Mode,
 ) -> Result<(), LengthMismatch> {
@@ -45,15 +45,15 @@ struct Batch;
 impl Batched for Batch {
     const WAITS: bool = true;
 
-    type Inputs<T> = ScaledEntriesInputs<T>;
+    type Inputs<T> = SectionMatricesInputs<T>;
     type Outputs<T> = Modes<T>;
 
     #[inline(always)]
     fn inputs<'a, T: 'a, To>(
-        sections: &'a ScaledEntriesInputs<T>,
+        sections: &'a SectionMatricesInputs<T>,
         make: impl FnMut(&'static str, &'a T) -> To,
-    ) -> ScaledEntriesInputs<To> {
-        scaled_entries::Batch::inputs(sections, make)
+    ) -> SectionMatricesInputs<To> {
+        section_matrices::Batch::inputs(sections, make)
     }
 
     #[inline(always)]
@@ -87,7 +87,7 @@ impl Batched for Batch {
     }
 
     #[inline(always)]
-    fn body<L: Lanes>(sections: &ScaledEntriesInputs<L>) -> Modes<L> {
+    fn body<L: Lanes>(sections: &SectionMatricesInputs<L>) -> Modes<L> {
         exact_modes_body(sections)
     }
 }

@@ -5,7 +5,7 @@
 
 use super::comparison::Comparison;
 use super::complex::Complex;
-use super::scaled_entries::{ScaledEntriesInputs, scaled_entries_body};
+use super::section_matrices::{SectionMatricesInputs, section_matrices_body};
 use super::shifted_determinant::{ShiftedDeterminantInputs, shifted_determinant_body};
 use super::shifted_polynomial::{
     ShiftedPolynomialInputs, ShiftedPolynomialOutputs, shifted_polynomial_body,
@@ -51,13 +51,13 @@ pub(super) struct Determinant<T> {
 impl<T: Comparison> Reference<T> {
     /// Takes the quantities of a section.
     #[inline(always)]
-    pub fn of(section: &ScaledEntriesInputs<T>) -> Self {
+    pub fn of(section: &SectionMatricesInputs<T>) -> Self {
         let (one, zero) = (T::constant(1.0), T::constant(0.0));
         let (x, y, t) = (section.omega_x, section.omega_y, section.omega_theta);
         let median = x.smaller(y).larger(x.larger(y).smaller(t));
         let unit = median.power_of_two();
         let per_unit = unit.reciprocal_of_power();
-        let section = ScaledEntriesInputs {
+        let section = SectionMatricesInputs {
             omega_x: x * per_unit,
             omega_y: y * per_unit,
             omega_theta: t * per_unit,
@@ -65,12 +65,12 @@ impl<T: Comparison> Reference<T> {
             ..*section
         };
         let frequency = median * per_unit;
-        let own = scaled_entries_body(&section);
+        let own = section_matrices_body(&section);
         let natural = [section.omega_x, section.omega_y, section.omega_theta];
         let damping = [
-            own.w_11.magnitude() + own.z_1.magnitude(),
-            own.w_22.magnitude() + own.z_2.magnitude(),
-            own.w_33.magnitude() + own.z_3.magnitude(),
+            own.C_a_11.magnitude() + own.C_s_11.magnitude(),
+            own.C_a_22.magnitude() + own.C_s_22.magnitude(),
+            own.C_a_33.magnitude() + own.C_s_33.magnitude(),
         ];
         let inexact = [
             inexact(frequency, natural[0]),
@@ -89,12 +89,12 @@ impl<T: Comparison> Reference<T> {
         let lowest = x.smaller(y).smaller(t);
         let least = mechanical.0.smaller(air.0).smaller(speed).smaller(lowest);
         let most = mechanical.1.larger(air.1).larger(speed).larger(unit);
-        let couplings = own.w_12.magnitude()
-            + own.w_13.magnitude()
-            + own.w_21.magnitude()
-            + own.w_23.magnitude()
-            + own.w_31.magnitude()
-            + own.w_32.magnitude();
+        let couplings = own.C_a_12.magnitude()
+            + own.C_a_13.magnitude()
+            + own.C_a_21.magnitude()
+            + own.C_a_23.magnitude()
+            + own.C_a_31.magnitude()
+            + own.C_a_32.magnitude();
         let sizes = natural[0].magnitude()
             + natural[1].magnitude()
             + natural[2].magnitude()
@@ -109,17 +109,17 @@ impl<T: Comparison> Reference<T> {
                 omega_x: natural[0],
                 omega_y: natural[1],
                 omega_theta: natural[2],
-                e_s: own.e_s,
-                e_c: own.e_c,
-                c_xx: own.w_11 + own.z_1,
-                c_xy: own.w_12,
-                c_yx: own.w_21,
-                c_yy: own.w_22 + own.z_2,
-                c_xt: own.w_13,
-                c_yt: own.w_23,
-                c_tx: own.w_31,
-                c_ty: own.w_32,
-                c_tt: own.w_33 + own.z_3,
+                e_s: own.M_13,
+                e_c: own.M_23,
+                c_xx: own.C_a_11 + own.C_s_11,
+                c_xy: own.C_a_12,
+                c_yx: own.C_a_21,
+                c_yy: own.C_a_22 + own.C_s_22,
+                c_xt: own.C_a_13,
+                c_yt: own.C_a_23,
+                c_tx: own.C_a_31,
+                c_ty: own.C_a_32,
+                c_tt: own.C_a_33 + own.C_s_33,
                 omega_0: frequency,
             },
             damping,

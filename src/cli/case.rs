@@ -81,7 +81,7 @@ fn setting(fixed: &Fixed) -> Result<Setting, Outcome> {
 /// # Errors
 ///
 /// As [`case_and_table`].
-pub fn case_and_files(
+fn case_and_files(
     path: &Path,
     outputs: &[PathBuf],
 ) -> Result<(Case, CoefficientTable, [SourceFile; 2]), Outcome> {

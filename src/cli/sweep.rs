@@ -22,7 +22,7 @@ use crate::stability::system::sweep::{Sweep, SweepAxis};
 use crate::stability::variable::Variable;
 
 use super::Outcome;
-use super::case::{case_and_files, refuse, warn};
+use super::case::{refuse, set_case_and_files, warn};
 use super::generate::FixedParser;
 use super::output::{complain, finish, reason, stream, wrong};
 use super::partial::{Conversion, Left, Partial};
@@ -49,7 +49,8 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME=FROM:TO:COUNT", value_parser = varied, allow_hyphen_values = true)]
     vary: Vec<Varied>,
 
-    /// A quantity of a system that stays, and its value; may be given several times
+    /// A quantity that stays, of a system or in place of what a case says, and its value; may be given several
+    /// times
     #[arg(long, value_name = "NAME=VALUE", value_parser = FixedParser, allow_hyphen_values = true)]
     set: Vec<Fixed>,
 
@@ -272,13 +273,8 @@ impl Table for Sweep<'_> {
 
 /// A case and its table at all points.
 fn of_case(arguments: &Arguments, path: &Path) -> Outcome {
-    if !arguments.set.is_empty() {
-        return wrong(
-            "a case has its quantities from its file",
-            "`--set` is for the system of a document; give one value with `--vary NAME=VALUE`",
-        );
-    }
-    let (case, table, files) = match case_and_files(path, arguments.out.as_slice()) {
+    let outputs = arguments.out.as_slice();
+    let (case, table, files) = match set_case_and_files(path, &arguments.set, outputs) {
         Ok(read) => read,
         Err(outcome) => return outcome,
     };
@@ -308,7 +304,8 @@ fn of_case(arguments: &Arguments, path: &Path) -> Outcome {
         Ok(grid) => grid,
         Err(error) => return refuse(&error),
     };
-    written(&grid, arguments, &[&files[0].text, &files[1].text])
+    let set = format!("{:?}", arguments.set);
+    written(&grid, arguments, &[&files[0].text, &files[1].text, &set])
 }
 
 fn to_output(table: &dyn Table) -> Outcome {

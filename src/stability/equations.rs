@@ -108,6 +108,27 @@ impl<T: Clone> Given<T> {
         Ok(Equations::from_entries(entries))
     }
 
+    /// K and K_a over the mass, in such an arithmetic: nothing is computed of the damping.
+    ///
+    /// # Errors
+    ///
+    /// Those of the arithmetic.
+    pub fn stiffness_in<A: Numbers<Value = T>>(
+        &self,
+        arithmetic: &mut A,
+    ) -> Result<[Matrix<T>; 2], A::Error> {
+        let entries = self.run(arithmetic, |given| {
+            let own = given.equations();
+            [own.stiffness, own.aerodynamic_stiffness]
+                .into_iter()
+                .flatten()
+                .flatten()
+                .collect()
+        })?;
+        let mut entries = entries.into_iter();
+        Ok([(); 2].map(|()| matrix(&mut entries)))
+    }
+
     /// The squares of the frequencies without wind if all motions had one of the natural frequencies, Eq. (15).
     ///
     /// # Errors
@@ -169,13 +190,18 @@ impl<T> Equations<T> {
 
     fn from_entries(entries: Vec<T>) -> Self {
         let mut entries = entries.into_iter();
-        let mut matrix = || [(); 3].map(|()| [(); 3].map(|()| entries.next().expect("45 entries")));
+        let mut next = || matrix(&mut entries);
         Equations {
-            mass: matrix(),
-            structural_damping: matrix(),
-            aerodynamic_damping: matrix(),
-            stiffness: matrix(),
-            aerodynamic_stiffness: matrix(),
+            mass: next(),
+            structural_damping: next(),
+            aerodynamic_damping: next(),
+            stiffness: next(),
+            aerodynamic_stiffness: next(),
         }
     }
+}
+
+/// The next nine entries, row by row: as many as were asked for.
+fn matrix<T>(entries: &mut impl Iterator<Item = T>) -> Matrix<T> {
+    [(); 3].map(|()| [(); 3].map(|()| entries.next().expect("an entry for each place")))
 }

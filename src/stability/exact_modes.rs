@@ -5,7 +5,7 @@ use std::iter::once;
 
 use num_complex::Complex;
 use sextic_evaluators::exact_modes::exact_modes;
-use sextic_evaluators::scaled_entries::ScaledEntriesInputs;
+use sextic_evaluators::section_matrices::SectionMatricesInputs;
 
 use super::ball::Ball;
 use super::eigenvalue::{Spectrum, best_spectrum};
@@ -92,7 +92,7 @@ fn iterated(model: &Model) -> Result<Spectrum, Fallback> {
 }
 
 /// What the evaluators of exact modes take, of a section.
-pub fn inputs(section: &Section) -> ScaledEntriesInputs<f64> {
+pub fn inputs(section: &Section) -> SectionMatricesInputs<f64> {
     let given = Given::of(section.parameters());
-    given.scaled_entries_inputs(&given.scaled_damping())
+    given.section_matrices_inputs(&given.scaled_damping())
 }

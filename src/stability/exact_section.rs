@@ -41,9 +41,11 @@ use super::system::arithmetic::NoValue;
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExactSection(Parameters<Rational>);
 
-/// The digits with which the sign of a determinant is told, and the products of machine words that it may cost.
+/// The binary digits with which the sign of the stiffness is told.
 const DIGITS: usize = 256;
-const MOST_PRODUCTS: u64 = 100_000;
+
+/// The products of machine words that its determinant may cost: more than the longest numbers that are read need.
+const MOST_PRODUCTS: u64 = 100_000_000;
 
 impl ExactSection {
     /// Checks the parameters, by the doubles nearest to them.
@@ -65,22 +67,22 @@ impl ExactSection {
     /// Whether the wind turns the section over: static divergence, where the determinant of the stiffness is below 0,
     /// so that a real eigenvalue is above 0. What grows otherwise gallops, whether it oscillates or not.
     pub fn diverges(&self) -> bool {
+        // Without it the stiffness is that of the springs, which are above 0.
+        if !self.0.aerodynamic_stiffness {
+            return false;
+        }
         let sums = TrigonometricSums::new(Budget::new(MOST_PRODUCTS));
         let determinant = self.stiffness_determinant(&sums);
         let sign = |own: Sum| Intervals::new(DIGITS).enclosure(&own).sign();
-        self.0.aerodynamic_stiffness && determinant.map(sign) == Ok(KnownSign::Negative)
+        determinant.map(sign) == Ok(KnownSign::Negative)
     }
 
     /// |K + K_a| over the mass at the speed of the section.
     fn stiffness_determinant(&self, sums: &TrigonometricSums) -> Result<Sum, NoValue> {
-        let equations = self.equations(&self.0.wind_speed, sums)?;
+        let given = self.given(&self.0.wind_speed, sums);
+        let [structure, wind] = given.stiffness_in(&mut InSpeeds(sums))?;
         let in_speed = Univariate(sums);
-        let stiffness = self.matrix(|i, j| {
-            in_speed.sum(
-                &equations.stiffness[i][j],
-                &equations.aerodynamic_stiffness[i][j],
-            )
-        })?;
+        let stiffness = self.matrix(|i, j| in_speed.sum(&structure[i][j], &wind[i][j]))?;
         at_speed(&determinant(&stiffness, &in_speed)?, sums)
     }
 
@@ -108,12 +110,10 @@ impl ExactSection {
     ) -> Result<Vec<InSpeed>, NoValue> {
         let given = self.given(speed_unit, sums);
         let mut arithmetic = InSpeeds(sums);
-        let equations = given.equations_in(&mut arithmetic)?;
+        let [structure, wind] = given.stiffness_in(&mut arithmetic)?;
         let mut squares = given.squares_without_wind_in(&mut arithmetic)?;
         for free in self.0.free.as_slice().iter().map(|free| free.index()) {
-            let structure = &equations.stiffness[free][free];
-            let wind = &equations.aerodynamic_stiffness[free][free];
-            squares.push(Univariate(sums).sum(structure, wind)?);
+            squares.push(Univariate(sums).sum(&structure[free][free], &wind[free][free])?);
         }
         let mut different: Vec<InSpeed> = Vec::with_capacity(squares.len());
         for square in squares {
@@ -215,6 +215,47 @@ mod tests {
     use crate::stability::model::given_with_bounds;
     use crate::stability::section::Coefficients;
     use proptest::prelude::*;
+
+    /// However many digits the numbers have that a command reads.
+    #[test]
+    fn divergence_is_shown_of_long_numbers() {
+        let long = |own: u64| {
+            let digits = Rational::from(Integer::ONE << 3300);
+            (Rational::from(own) * &digits + Rational::ONE) / (digits - Rational::ONE)
+        };
+        let section = |slope: u64| {
+            let parameters = Parameters {
+                mass: long(3),
+                radius_of_gyration: long(2),
+                mass_centre_distance: long(1),
+                mass_centre_angle: long(1),
+                aerodynamic_centre_distance: long(1),
+                aerodynamic_centre_angle: long(2),
+                reference_dimension: long(2),
+                natural_frequencies: [1, 2, 3].map(long),
+                damping_ratios: [1, 1, 1].map(long),
+                air_density: long(1),
+                wind_speed: long(5),
+                wind_angle: long(1),
+                attitude: long(2),
+                forces: Coefficients {
+                    drag: long(1),
+                    lift: long(1),
+                    moment: long(1),
+                    drag_slope: long(3),
+                    lift_slope: long(4),
+                    moment_slope: long(slope),
+                }
+                .into(),
+                aerodynamic_stiffness: true,
+                ..Parameters::default()
+            };
+            ExactSection::new(parameters).expect("a possible section")
+        };
+        // 2m r² ω_θ² = 216, and ρD²U²C_M′ = 100 C_M′.
+        assert!(!section(2).diverges());
+        assert!(section(3).diverges());
+    }
 
     proptest! {
         /// The exact matrices lie within the bounds of those in doubles.

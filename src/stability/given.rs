@@ -5,9 +5,12 @@
 use sextic_evaluators::aerodynamic_damping::AerodynamicDampingInputs;
 use sextic_evaluators::characteristic_polynomial::CharacteristicPolynomialInputs;
 use sextic_evaluators::closed_form::ClosedFormInputs;
+use sextic_evaluators::damping_coefficient::{DampingCoefficientInputs, damping_coefficient};
 use sextic_evaluators::no_wind_modes::NoWindModesInputs;
-use sextic_evaluators::scaled_entries::ScaledEntriesInputs;
 use sextic_evaluators::section_matrices::SectionMatricesInputs;
+use sextic_evaluators::small_quantities::{
+    SmallQuantitiesInputs, SmallQuantitiesOutputs, small_quantities,
+};
 use sextic_evaluators::turn_stiffness::TurnStiffnessInputs;
 
 use super::equations::Matrix;
@@ -49,6 +52,33 @@ impl<T> Given<T> {
             aerodynamic_centre: both(&self.aerodynamic_centre),
             parameters: self.parameters.map(&number),
         }
+    }
+}
+
+impl Parameters {
+    /// As [`Section::damping_coefficient`], without a check of the parameters.
+    pub fn damping_coefficient(&self, real_part: f64) -> Option<f64> {
+        let coefficient = damping_coefficient(&DampingCoefficientInputs {
+            m: self.mass,
+            rho: self.air_density,
+            D: self.reference_dimension,
+            U: self.wind_speed,
+            lamda_R: real_part,
+        });
+        (self.wind_speed > 0.0 && coefficient.S.is_finite()).then_some(coefficient.S)
+    }
+
+    /// e = L_g/r and δ = ρDU/(2mω) with the frequency of the first free coordinate, without a check of the parameters.
+    pub fn small_quantities(&self) -> SmallQuantitiesOutputs<f64> {
+        small_quantities(&SmallQuantitiesInputs {
+            r: self.radius_of_gyration,
+            L_g: self.mass_centre_distance,
+            m: self.mass,
+            omega_n: self.natural_frequencies[self.free.as_slice()[0].index()],
+            rho: self.air_density,
+            D: self.reference_dimension,
+            U: self.wind_speed,
+        })
     }
 }
 
@@ -95,36 +125,6 @@ impl<T: Copy> Given<T> {
             S_tx,
             S_ty,
             S_tt,
-        }
-    }
-
-    /// With S_a.
-    pub fn scaled_entries_inputs(&self, s_a: &Matrix<T>) -> ScaledEntriesInputs<T> {
-        let own = self.section_matrices_inputs(s_a);
-        ScaledEntriesInputs {
-            m: own.m,
-            r: own.r,
-            L_g: own.L_g,
-            cos_alpha_g_plus_theta_0: own.cos_alpha_g_plus_theta_0,
-            sin_alpha_g_plus_theta_0: own.sin_alpha_g_plus_theta_0,
-            omega_x: own.omega_x,
-            omega_y: own.omega_y,
-            omega_theta: own.omega_theta,
-            zeta_x: own.zeta_x,
-            zeta_y: own.zeta_y,
-            zeta_theta: own.zeta_theta,
-            rho: own.rho,
-            D: own.D,
-            U: own.U,
-            S_xx: own.S_xx,
-            S_xy: own.S_xy,
-            S_yx: own.S_yx,
-            S_yy: own.S_yy,
-            S_xt: own.S_xt,
-            S_yt: own.S_yt,
-            S_tx: own.S_tx,
-            S_ty: own.S_ty,
-            S_tt: own.S_tt,
         }
     }
 

@@ -102,6 +102,11 @@ impl<'a> Grid<'a> {
                 };
                 return Err(wrong(what, "vary every quantity by one name"));
             }
+            let mut set = case.set.iter().map(|own| own.variable);
+            if let Some(other) = set.find(|own| own.clashes(axis.variable)) {
+                let what = format!("{name} is varied, and {} is set", other.name);
+                return Err(wrong(what, "vary a quantity or set it"));
+            }
             if axis.variable.is_held(&case.parameters) {
                 let what = format!("{name} does nothing: its coordinate is held");
                 return Err(wrong(what, "see `free` in the case"));

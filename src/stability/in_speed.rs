@@ -47,10 +47,11 @@ impl Arithmetic for InSpeeds<'_> {
     }
 
     fn quotient(&mut self, a: &InSpeed, b: &InSpeed) -> Result<InSpeed, NoValue> {
-        let [number] = b.as_slice() else {
-            return Err(NoValue::Division);
+        let number = match b.as_slice() {
+            [] => return Err(NoValue::Division),
+            [number] => rational(number).ok_or(NoValue::NotExact)?,
+            _ => return Err(NoValue::NotExact),
         };
-        let number = rational(number).ok_or(NoValue::NotExact)?;
         let factor = Rational::ONE / number;
         Ok(a.iter().map(|own| own.scaled(&factor)).collect())
     }

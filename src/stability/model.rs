@@ -7,10 +7,13 @@ use super::ball::{Ball, cosine_and_sine};
 use super::coordinate::Coordinate;
 use super::equations::Matrix;
 use super::error::StabilityError;
+use super::forces::Forces;
 use super::given::Given;
 use super::section::Section;
 
-/// The matrices of a section for its free coordinates.
+/// The matrices of a section for its free coordinates, Eqs. (9), (12), (17) and (18): those of
+/// `derivations/exact-modes.md`, with the aerodynamic stiffness of `derivations/extensions.md`, section 3, where
+/// the parameters ask for it.
 ///
 /// Rows and columns of coordinates that are held are left out: with n free coordinates the matrices
 /// are n×n. Inside, rθ stands in place of θ, all is divided by m, and time is counted in units of a power
@@ -207,8 +210,9 @@ impl Model {
     /// By what the scaled damping of each free coordinate grows with its damping ratio.
     pub(super) fn structural_damping_rates(&self) -> [Ball; 3] {
         let mut given = given_with_bounds(&self.section, self.frequency_unit);
-        // C_s is linear in the ratios.
+        // C_s is linear in the ratios, and does not know of the wind.
         given.parameters.damping_ratios = [Bounded::exact(1.0); 3];
+        given.parameters.forces = Forces::ScaledDamping([[Bounded::exact(0.0); 3]; 3]);
         let rates = given.equations().structural_damping;
         let rate = |place: usize| {
             let own = self.section.free().get(place);

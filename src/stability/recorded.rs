@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use sextic_codegen::arithmetic::Arithmetic as Numbers;
+use sextic_codegen::optimiser::prune::prune;
 use sextic_codegen::program::{Node, Operation, Program, Rational};
 use sextic_evaluators::arithmetic::Arithmetic;
 
@@ -22,7 +23,8 @@ impl Recorded {
     }
 }
 
-/// The results of emitted functions in any arithmetic: exact where they are exact.
+/// The results of emitted functions in any arithmetic: exact where they are exact. What no result needs is not
+/// computed.
 ///
 /// Doubles that stand in the text are taken as the numbers that they are.
 ///
@@ -34,7 +36,7 @@ pub(super) fn run<A: Numbers>(
     inputs: &[A::Value],
     functions: impl FnOnce(&[Recorded]) -> Vec<Recorded>,
 ) -> Result<Vec<A::Value>, A::Error> {
-    record(inputs.len(), functions).run(arithmetic, inputs)
+    prune(&record(inputs.len(), functions)).run(arithmetic, inputs)
 }
 
 /// The program of functions of so many inputs.

@@ -1,10 +1,5 @@
 //! A section in the wind: its parameters, checked.
 
-use sextic_evaluators::damping_coefficient::{DampingCoefficientInputs, damping_coefficient};
-use sextic_evaluators::small_quantities::{
-    SmallQuantitiesInputs, SmallQuantitiesOutputs, small_quantities,
-};
-
 use super::coordinate::{Coordinate, FreeCoordinates};
 use super::error::StabilityError;
 use super::forces::Forces;
@@ -70,33 +65,6 @@ impl<T> Parameters<T> {
             free: self.free,
             aerodynamic_stiffness: self.aerodynamic_stiffness,
         }
-    }
-}
-
-impl Parameters {
-    /// As [`Section::damping_coefficient`], without a check of the parameters.
-    pub fn damping_coefficient(&self, real_part: f64) -> Option<f64> {
-        let coefficient = damping_coefficient(&DampingCoefficientInputs {
-            m: self.mass,
-            rho: self.air_density,
-            D: self.reference_dimension,
-            U: self.wind_speed,
-            lamda_R: real_part,
-        });
-        (self.wind_speed > 0.0 && coefficient.S.is_finite()).then_some(coefficient.S)
-    }
-
-    /// e = L_g/r and δ = ρDU/(2mω) with the frequency of the first free coordinate, without a check of the parameters.
-    pub fn small_quantities(&self) -> SmallQuantitiesOutputs<f64> {
-        small_quantities(&SmallQuantitiesInputs {
-            r: self.radius_of_gyration,
-            L_g: self.mass_centre_distance,
-            m: self.mass,
-            omega_n: self.natural_frequencies[self.free.as_slice()[0].index()],
-            rho: self.air_density,
-            D: self.reference_dimension,
-            U: self.wind_speed,
-        })
     }
 }
 

@@ -55,6 +55,19 @@ fn what_is_set_is_as_if_the_file_said_so() {
     }
     let (_, out, _) = run(&[&["stability", &path], &set[..]].concat());
     assert!(out.contains("with U = 4, L_g = 0.002"), "{out}");
+
+    let vary = ["--vary", "L_g=0.002:0.004:3", "--method", "state,closed"];
+    let set = ["--set", "U=4", "--set", "alpha_deg=40"];
+    let found = run(&[&["sweep", &path], &vary[..], &set[..]].concat());
+    let wanted = run(&[&["sweep", &other], &vary[..]].concat());
+    assert!(
+        found.0 == Some(0) && found.1.lines().count() == 4,
+        "{found:?}"
+    );
+    assert_eq!(found.1, wanted.1);
+    let (status, _, err) = run(&["sweep", &path, "--vary", "U=4:5:2", "--set", "U=4"]);
+    assert_eq!(status, Some(2));
+    assert!(err.contains("U is varied, and U is set"), "{err}");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! What the sources do not contain.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::page::root;
@@ -176,6 +177,24 @@ fn computations_are_exact_and_quiet() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The files that give an emitted function its inputs: of a section, and of its coordinates without wind.
+const BINDING: [&str; 2] = ["given.rs", "uniform_form.rs"];
+
+#[test]
+fn a_section_meets_what_was_derived_in_one_file() {
+    let folders = ["src/stability", "src/report", "src/cli"];
+    let files = folders.iter().flat_map(|own| rust_files(&root().join(own)));
+    let binds = |path: &PathBuf| {
+        let text = std::fs::read_to_string(path).expect("a source can be read");
+        code(&text).contains("Inputs {")
+    };
+    let found: BTreeSet<String> = files
+        .filter(binds)
+        .filter_map(|path| Some(path.file_name()?.to_str()?.to_owned()))
+        .collect();
+    assert_eq!(found, BINDING.map(String::from).into());
 }
 
 #[test]

@@ -105,6 +105,9 @@ fn all_spellings_of_a_table_are_one_table() {
         "semicolons.csv",
         "tabs.csv",
         "quoted_decimal_commas.csv",
+        "misleading_comment.csv",
+        "scattered.csv",
+        "in_a_comment.csv",
     ] {
         assert_eq!(rows(name), rows("good.csv"), "{name}");
     }

@@ -11,7 +11,7 @@ use sextic_evaluators::exact_modes::{Modes, exact_modes};
 use sextic_evaluators::exact_modes_batch::{
     ModesSlicesMut, exact_modes_batch, exact_modes_batch_at,
 };
-use sextic_evaluators::scaled_entries::{ScaledEntriesInputs, ScaledEntriesSlices};
+use sextic_evaluators::section_matrices::{SectionMatricesInputs, SectionMatricesSlices};
 
 use super::oracle::{Long, characteristic_polynomial, roots, roots_near};
 use super::sections::{KINDS, Numbers, hard_section, section};
@@ -82,12 +82,12 @@ macro_rules! quantities {
         struct Columns { $($name: Vec<f64>),* }
 
         impl Columns {
-            fn of(sections: &[ScaledEntriesInputs<f64>]) -> Self {
+            fn of(sections: &[SectionMatricesInputs<f64>]) -> Self {
                 Columns { $($name: sections.iter().map(|own| own.$name).collect()),* }
             }
 
-            fn slices(&self) -> ScaledEntriesSlices<'_> {
-                ScaledEntriesSlices { $($name: &self.$name),* }
+            fn slices(&self) -> SectionMatricesSlices<'_> {
+                SectionMatricesSlices { $($name: &self.$name),* }
             }
         }
     };
@@ -99,7 +99,7 @@ quantities! {
 }
 
 #[allow(non_snake_case)]
-fn inputs(p: &Parameters) -> ScaledEntriesInputs<f64> {
+fn inputs(p: &Parameters) -> SectionMatricesInputs<f64> {
     let Forces::ScaledDamping([[S_xx, S_xy, S_xt], [S_yx, S_yy, S_yt], [S_tx, S_ty, S_tt]]) =
         p.forces
     else {
@@ -108,7 +108,7 @@ fn inputs(p: &Parameters) -> ScaledEntriesInputs<f64> {
     let angle = p.mass_centre_angle + p.attitude;
     let [omega_x, omega_y, omega_theta] = p.natural_frequencies;
     let [zeta_x, zeta_y, zeta_theta] = p.damping_ratios;
-    ScaledEntriesInputs {
+    SectionMatricesInputs {
         m: p.mass,
         r: p.radius_of_gyration,
         L_g: p.mass_centre_distance,
@@ -136,7 +136,7 @@ fn inputs(p: &Parameters) -> ScaledEntriesInputs<f64> {
 }
 
 /// All sections in one batch.
-fn batch(level: Level, mode: Mode, sections: &[ScaledEntriesInputs<f64>]) -> Vec<Modes<f64>> {
+fn batch(level: Level, mode: Mode, sections: &[SectionMatricesInputs<f64>]) -> Vec<Modes<f64>> {
     let columns = Columns::of(sections);
     let mut results = vec![vec![f64::NAN; sections.len()]; 9];
     let [a, b, c, d, e, f, g, h, i] = &mut results[..] else {
@@ -362,7 +362,7 @@ fn what_has_no_radius_is_said_and_found_otherwise() {
 }
 
 /// A change of a section, and whether its modes are known then.
-type Case = (&'static str, fn(&mut ScaledEntriesInputs<f64>), bool);
+type Case = (&'static str, fn(&mut SectionMatricesInputs<f64>), bool);
 
 const CASES: [Case; 41] = [
     ("nothing", |_| (), true),
@@ -413,7 +413,7 @@ const CASES: [Case; 41] = [
 ];
 
 /// The same section in other units of time.
-fn slowed(own: &mut ScaledEntriesInputs<f64>, factor: f64) {
+fn slowed(own: &mut SectionMatricesInputs<f64>, factor: f64) {
     own.omega_x *= factor;
     own.omega_y *= factor;
     own.omega_theta *= factor;

@@ -19,7 +19,6 @@
 //! - The coefficients of μ², μ and 1 of the characteristic cubic, real and imaginary parts, to first (second = 0) or second order (second = 1) in the damping; iν_2 + μ are the eigenvalues: [`uniform_cubic::uniform_cubic`]
 //! - The damping coefficient of a mode by the real part of its eigenvalue, Eq. (13): [`damping_coefficient::damping_coefficient`]
 //! - The eccentricity, and the damping of a unit of S_a over the frequency: what the closed forms take to be small: [`small_quantities::small_quantities`]
-//! - The eccentricity, and the damping over mass by the wind and by the structure: [`scaled_entries::scaled_entries`]
 //! - The mass, structural damping, aerodynamic damping and stiffness matrices of a section over its mass, for x, y and rθ: [`section_matrices::section_matrices`]
 //! - The real parts of the eigenvalues of the three modes (one above 0 gallops), for perfect tuning and without structural damping, to first order in ρDU/(2mω_n) where L_g/r is well above ρDU|S_a|/(2mω_n): elsewhere even the sign may be wrong, and the command stability checks it; from the physical parameters, Eqs. (21), (22), (23): [`closed_form_in_wind::closed_form_in_wind`]
 //! - The real parts of the eigenvalues of the three modes (one above 0 gallops), for perfect tuning and without structural damping, to first order in ρDU/(2mω_n) where L_g/r is well above ρDU|S_a|/(2mω_n): elsewhere even the sign may be wrong, and the command stability checks it; from the scaled damping matrix, Eqs. (21), (22), (23): [`closed_form::closed_form`]
@@ -72,8 +71,6 @@ pub mod modal_damping;
 pub mod modal_damping_in_wind;
 #[rustfmt::skip]
 pub mod no_wind_modes;
-#[rustfmt::skip]
-pub mod scaled_entries;
 #[rustfmt::skip]
 pub mod section_matrices;
 #[rustfmt::skip]

@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/exact-modes.md`
 //! - SHA-256 of the document:
-//!   `f4f202fa486d34b14795a02853d7d340f27bd6f972a77e66de278749ba1bc3a0`
+//!   `bcdf4608db1bcf3b3e5e37ac4049bf6c42bb9e9db9fafd25822614c626df025a`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -270,6 +270,9 @@ pub fn section_matrices_body<T: Arithmetic>(
     let t2 = L_g * (m * t1);
     let M_13 = sin_alpha_g_plus_theta_0 * t2;
     let M_23 = cos_alpha_g_plus_theta_0 * t2;
+    let C_s_11 = omega_x * (zeta_x * 2.0);
+    let C_s_22 = omega_y * (zeta_y * 2.0);
+    let C_s_33 = omega_theta * (zeta_theta * 2.0);
     let t3 = r * t1 * 0.5 * (U * (rho * D));
     let C_a_11 = S_xx * t3;
     let C_a_12 = S_xy * t3;
@@ -280,9 +283,6 @@ pub fn section_matrices_body<T: Arithmetic>(
     let C_a_31 = S_tx * t3;
     let C_a_32 = S_ty * t3;
     let C_a_33 = S_tt * t3;
-    let C_s_11 = omega_x * (zeta_x * 2.0);
-    let C_s_22 = omega_y * (zeta_y * 2.0);
-    let C_s_33 = omega_theta * (zeta_theta * 2.0);
     let K_11 = omega_x * omega_x;
     let K_22 = omega_y * omega_y;
     let K_33 = omega_theta * omega_theta;
@@ -333,31 +333,17 @@ pub fn section_matrices_body<T: Arithmetic>(
 ///
 /// # Formula
 ///
-/// - `M = M_e at of_section`
-/// - `C_s = diagonal(structure_rate[1], structure_rate[2], structure_rate[3])`
-/// - `C_a = wind_rate·S`
+/// - `M = M_1`
+/// - `C_s = structural`
+/// - `C_a = of_wind`
 /// - `K = K_1`
-/// - `M_e := [1, 0, e_s; 0, 1, e_c; e_s, e_c, 1]`
-/// - `e_s at of_section := eccentricity[1]`
-/// - `e_c at of_section := eccentricity[2]`
-/// - `c_xx at of_section := damping_over_mass[1, 1]`
-/// - `c_xy at of_section := damping_over_mass[1, 2]`
-/// - `c_xθ at of_section := damping_over_mass[1, 3]`
-/// - `c_yx at of_section := damping_over_mass[2, 1]`
-/// - `c_yy at of_section := damping_over_mass[2, 2]`
-/// - `c_yθ at of_section := damping_over_mass[2, 3]`
-/// - `c_θx at of_section := damping_over_mass[3, 1]`
-/// - `c_θy at of_section := damping_over_mass[3, 2]`
-/// - `c_θθ at of_section := damping_over_mass[3, 3]`
-/// - `structure_rate := [2·ζ_x·ω_x; 2·ζ_y·ω_y; 2·ζ_θ·ω_θ]`
-/// - `wind_rate := ρ·D·U/(2·m)`
-/// - `S := [S_xx, S_xy, S_xθ; S_yx, S_yy, S_yθ; S_θx, S_θy, S_θθ]`
+/// - `M_1 := [1, 0, L_g/r·s_g; 0, 1, L_g/r·c_g; L_g/r·s_g, L_g/r·c_g, 1]`
+/// - `structural := diagonal(2·ζ_x·ω_x, 2·ζ_y·ω_y, 2·ζ_θ·ω_θ)`
+/// - `of_wind := ρ·D·U/(2·m)·S`
 /// - `K_1 := diagonal(ω_x², ω_y², ω_θ²)`
-/// - `eccentricity := L_g/r·[s_g; c_g]`
-/// - `damping_over_mass := wind_rate·S + diagonal(structure_rate[1], structure_rate[2],
-///   structure_rate[3])`
 /// - `s_g := sin(α_g + θ_0)`
 /// - `c_g := cos(α_g + θ_0)`
+/// - `S := [S_xx, S_xy, S_xθ; S_yx, S_yy, S_yθ; S_θx, S_θy, S_θθ]`
 ///
 /// # Conditions
 ///
@@ -442,7 +428,7 @@ pub fn section_matrices_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/exact-modes.md`
 /// - SHA-256 of the document:
-///   `f4f202fa486d34b14795a02853d7d340f27bd6f972a77e66de278749ba1bc3a0`
+///   `bcdf4608db1bcf3b3e5e37ac4049bf6c42bb9e9db9fafd25822614c626df025a`
 #[must_use]
 pub fn section_matrices(inputs: &SectionMatricesInputs<f64>) -> SectionMatricesOutputs<f64> {
     section_matrices_body(inputs)

@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/exact-modes.md`
 //! - SHA-256 of the document:
-//!   `f4f202fa486d34b14795a02853d7d340f27bd6f972a77e66de278749ba1bc3a0`
+//!   `bcdf4608db1bcf3b3e5e37ac4049bf6c42bb9e9db9fafd25822614c626df025a`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -333,7 +333,7 @@ pub fn shifted_polynomial_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/exact-modes.md`
 /// - SHA-256 of the document:
-///   `f4f202fa486d34b14795a02853d7d340f27bd6f972a77e66de278749ba1bc3a0`
+///   `bcdf4608db1bcf3b3e5e37ac4049bf6c42bb9e9db9fafd25822614c626df025a`
 #[must_use]
 pub fn shifted_polynomial(inputs: &ShiftedPolynomialInputs<f64>) -> ShiftedPolynomialOutputs<f64> {
     shifted_polynomial_body(inputs)

@@ -46,7 +46,7 @@ const EXACT_MODES: [(&str, &str); 5] = [
 
 /// What [`EXACT_MODES`] iterates, with nothing fixed.
 const ITERATED: [&str; 3] = [
-    "scaled_entries",
+    "section_matrices",
     "shifted_determinant",
     "shifted_polynomial",
 ];

@@ -57,8 +57,8 @@ impl Separator {
 impl Sheet {
     /// Reads a text.
     ///
-    /// The heading is the first line that names an angle, a lift and a drag, also in a comment, as in polars of
-    /// AeroDyn; without one it is the first line that says something.
+    /// The heading is the first line that names an angle, a lift and a drag, or else the first comment that does, as
+    /// in polars of AeroDyn; without one it is the first line that says something.
     ///
     /// # Errors
     ///
@@ -70,8 +70,11 @@ impl Sheet {
             !line.is_empty() && !is_comment(line) && !line.starts_with("sep=")
         };
         let is_named = |own: &usize| is_heading(&cells(uncommented(lines[*own])));
-        let first = (0..lines.len()).find(says_something);
-        let Some(heading) = (0..lines.len()).find(is_named).or(first) else {
+        let all = 0..lines.len();
+        let named = all.clone().filter(says_something).find(is_named);
+        let in_a_comment = || all.clone().find(is_named);
+        let first = || all.clone().find(says_something);
+        let Some(heading) = named.or_else(in_a_comment).or_else(first) else {
             let help = "the first row names the columns alpha_deg, CL, CD, CM";
             return Err(InputError::new(
                 Place::file(file),

@@ -113,8 +113,7 @@ impl Answers {
         Ok(Answers {
             exact,
             verdict: verdict(section, &spectrum),
-            diverges: section.parameters().aerodynamic_stiffness
-                && ExactSection::from(section).diverges(),
+            diverges: ExactSection::from(section).diverges(),
             companion: companion.as_ref().and_then(value),
             closed,
             uniform,
