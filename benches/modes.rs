@@ -115,7 +115,7 @@ fn check(way: &str, sections: &[Section], matrices: &[Matrix6<f64>], results: &R
             continue;
         }
         let found = [0, 1, 2].map(|k| (results[k][point], results[3 + k][point]));
-        let inputs = exact_modes::inputs(section);
+        let inputs = exact_modes::inputs(section).section;
         let corrections = [0, 1, 2].map(|k| correction(&inputs, &found, k));
         for (k, correction) in corrections.iter().enumerate() {
             assert!(

@@ -12,7 +12,8 @@ use std::io::Write as _;
 use nalgebra::Schur;
 use num_complex::Complex;
 use rayon::prelude::*;
-use sextic::report::csv::{comparison, grid_row};
+use sextic::report::columns::of_grid;
+use sextic::report::csv::{comparison, rows};
 use sextic::stability::axis::Axis;
 use sextic::stability::case::Case;
 use sextic::stability::closed_form::{closed_form, inputs};
@@ -272,37 +273,29 @@ fn sweep(case: &Case, table: &CoefficientTable) {
     };
     let grid = Grid::new(case, table, axes, Rows::Points, methods).unwrap();
     assert_eq!(grid.rows(), POINTS as u64);
-    let points: Vec<_> = (0..grid.rows()).map(|row| grid.row(row)).collect();
-    let rows: Vec<String> = points.iter().map(|point| grid_row(&grid, point)).collect();
+    let all = 0..grid.rows();
+    let columns = of_grid(&grid, all.clone());
+    let text = rows(&columns);
     let mut file = tempfile::tempfile().unwrap();
     compare(
         "a sweep by closed form, a row:",
         vec![
             Contender::new("computed", POINTS, || {
-                for row in 0..grid.rows() {
-                    black_box(grid.row(row));
+                for start in all.clone().step_by(1024) {
+                    black_box(grid.rows_at(start..(start + 1024).min(all.end)));
                 }
             }),
             Contender::new("set as text", POINTS, || {
-                for point in &points {
-                    black_box(grid_row(&grid, point));
-                }
+                black_box(rows(black_box(&columns)));
             }),
             Contender::new("written to a file", POINTS, || {
                 std::io::Seek::rewind(&mut file).unwrap();
-                for rows in rows.chunks(512) {
-                    let mut text = String::new();
-                    for row in rows {
-                        text.write_str(row).unwrap();
-                    }
-                    file.write_all(text.as_bytes()).unwrap();
-                }
+                file.write_all(text.as_bytes()).unwrap();
             }),
             Contender::new("computed and set, on all cores", POINTS, || {
-                let rows = (0..POINTS).into_par_iter().with_min_len(8);
-                let text =
-                    |text: String, row: usize| text + &grid_row(&grid, &grid.row(row as u64));
-                black_box(rows.fold(String::new, text).collect::<Vec<String>>());
+                let starts: Vec<u64> = all.clone().step_by(1024).collect();
+                let part = |start: u64| rows(&of_grid(&grid, start..(start + 1024).min(all.end)));
+                black_box(starts.into_par_iter().map(part).collect::<Vec<String>>());
             }),
         ],
     );

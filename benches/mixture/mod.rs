@@ -6,7 +6,8 @@ use sextic::stability::coordinate::FreeCoordinates;
 use sextic::stability::exact_modes::inputs;
 use sextic::stability::forces::Forces;
 use sextic::stability::section::{Coefficients, Parameters, Section};
-use sextic_evaluators::section_matrices::SectionMatricesSlices;
+use sextic_evaluators::exact_modes_batch::ExactModesSlices;
+use sextic_evaluators::section_matrices::SectionMatricesInputs;
 
 /// SplitMix64.
 struct Random(u64);
@@ -109,16 +110,28 @@ macro_rules! quantities {
     ($($name:ident)*) => {
         /// The quantities of the sections.
         #[allow(non_snake_case)]
-        pub struct Columns { $($name: Vec<f64>),* }
+        pub struct Columns {
+            $($name: Vec<f64>,)*
+            direction_error: Vec<f64>,
+            damping_error: Vec<f64>,
+        }
 
         impl Columns {
             pub fn of(sections: &[Section]) -> Self {
                 let inputs: Vec<_> = sections.iter().map(inputs).collect();
-                Columns { $($name: inputs.iter().map(|own| own.$name).collect()),* }
+                Columns {
+                    $($name: inputs.iter().map(|own| own.section.$name).collect(),)*
+                    direction_error: inputs.iter().map(|own| own.direction_error).collect(),
+                    damping_error: inputs.iter().map(|own| own.damping_error).collect(),
+                }
             }
 
-            pub fn slices(&self) -> SectionMatricesSlices<'_> {
-                SectionMatricesSlices { $($name: &self.$name),* }
+            pub fn slices(&self) -> ExactModesSlices<'_> {
+                ExactModesSlices {
+                    section: SectionMatricesInputs { $($name: &self.$name),* },
+                    direction_error: &self.direction_error,
+                    damping_error: &self.damping_error,
+                }
             }
         }
     };

@@ -10,7 +10,7 @@
 //!
 //! # Proof of the radii
 //!
-//! u = 2⁻⁵³. Inputs are exact; |z|₁ = |re| + |im|, which is at least |z|, and |zw|₁ ≤ |z|₁|w|₁. The six
+//! u = 2⁻⁵³. |z|₁ = |re| + |im|, which is at least |z|, and |zw|₁ ≤ |z|₁|w|₁. The six
 //! points z are ν_1, ν_2, ν_3, as they are stored, and their mirror images; a point before the last step
 //! is ν_k, after it ν̂_k.
 //!
@@ -32,7 +32,12 @@
 //!    is at most B_k + 5.2|W̃_k|₁V/d, and Π|ν̂_k − z_j|/|ν̂_k − ẑ_j| < 1.02.
 //! 6. Smith: the discs about ẑ_k with radii 6|Q(ẑ_k)|/|a_6Π_{j≠k}(ẑ_k − ẑ_j)| hold all roots, and one that is
 //!    apart from the others holds just one. So r_k = 6.25(B_k + 5.2|W̃_k|₁V/d); r_k < d/4 is required.
-//! 7. Range: natural frequencies above 0 and what else `Reference` asks of the quantities, |ν_k| < 10⁶, Re ω_k > 10⁻⁴ and d > 10⁻¹⁷ keep every
+//! 7. Inputs: S_jk, and cosine and sine, may be η_S and η away from what is meant, all else is exact. The
+//!    determinant of the magnitudes, F, is a polynomial in them without a negative coefficient. So, if each
+//!    grows by t times what it may be wrong by, F grows by at least t times what the determinant may be wrong
+//!    by, for t ≥ 1. With t = 1/(56u) the bound 56uF of 2. holds both. a_6 is wrong by at most 4η of 1, and P_k
+//!    by (4η/a_6)|P_k| more. η < 10⁻⁸ is required.
+//! 8. Range: natural frequencies above 0 and what else `Reference` asks of the quantities, |ν_k| < 10⁶, Re ω_k > 10⁻⁴ and d > 10⁻¹⁷ keep every
 //!    product that is divided by normal; what others lose by underflow is in F.
 
 use super::comparison::Comparison;
@@ -43,16 +48,22 @@ use super::shifted_polynomial::ShiftedPolynomialOutputs;
 use super::starting_values::starting_values;
 
 /// Half a unit in the last place of 1.
-const UNIT: f64 = f64::EPSILON / 2.0;
+pub(super) const UNIT: f64 = f64::EPSILON / 2.0;
 
 /// In such units, the rounding of a determinant over the size of its terms.
-const TERMS: f64 = 56.0;
+pub(super) const TERMS: f64 = 56.0;
 
 /// In such units, the rounding of a correction that does not come from the determinant: 48 + 16/a_6.
 const RELATIVE: f64 = 48.0 + 16.0 / LEAST_LEADING;
 
 /// The least a_6 = 1 − (L_g/r)².
 const LEAST_LEADING: f64 = 1.0 / 1024.0;
+
+/// By how many times what a cosine and a sine may be wrong by a_6 may be.
+const LEADING: f64 = 4.25;
+
+/// More of a cosine and a sine may not be open.
+const MOST_OPEN: f64 = 1e-8;
 
 /// The largest last correction, as a share of the distance to the next root.
 const LARGEST_SHARE: f64 = 1.0 / 1024.0;
@@ -72,6 +83,17 @@ const DETERMINANT_STEPS: usize = 6;
 /// small enough for the determinant.
 const CLOSE: f64 = 3e-4;
 
+/// A section, and how far its numbers may be from those that are meant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ExactModesInputs<T> {
+    /// Its quantities.
+    pub section: SectionMatricesInputs<T>,
+    /// η: neither cosine nor sine is farther from the one that is meant; 0 where they are exact.
+    pub direction_error: T,
+    /// η_S: no entry of S is farther from the one that is meant; 0 where they are exact.
+    pub damping_error: T,
+}
+
 /// Three eigenvalues λ = real + i·frequency; the others are their conjugates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Modes<T> {
@@ -79,7 +101,8 @@ pub struct Modes<T> {
     pub real: [T; 3],
     /// The imaginary parts, above 0, in rad/s.
     pub frequency: [T; 3],
-    /// In 1/s: the discs about these numbers hold one of the six eigenvalues each, and no frequency was
+    /// In 1/s: the discs about these numbers hold one of the six eigenvalues each, of all sections that
+    /// may be meant, and no frequency was
     /// rounded by more than half a unit in its last place besides. Infinite, all three, where nothing is
     /// known and the eigenvalues are to be found in another way.
     pub radius: [T; 3],
@@ -91,16 +114,17 @@ pub struct Modes<T> {
 /// coincide, and at most some 8,000.
 ///
 /// The radii are infinite if the section has not three oscillating modes, if L_g is r or above or nearly so,
-/// if quantities are not numbers or absurd, and where roots (nearly) coincide.
+/// if quantities are not numbers or absurd, if a direction is open by 10⁻⁸ or more, and where roots (nearly)
+/// coincide.
 #[must_use]
-pub fn exact_modes(section: &SectionMatricesInputs<f64>) -> Modes<f64> {
-    exact_modes_body(section)
+pub fn exact_modes(inputs: &ExactModesInputs<f64>) -> Modes<f64> {
+    exact_modes_body(inputs)
 }
 
 /// What every function computes, on any numbers.
 #[inline(always)]
-pub(super) fn exact_modes_body<T: Comparison>(section: &SectionMatricesInputs<T>) -> Modes<T> {
-    let reference = Reference::of(section);
+pub(super) fn exact_modes_body<T: Comparison>(inputs: &ExactModesInputs<T>) -> Modes<T> {
+    let reference = Reference::of(inputs);
     let polynomial = reference.polynomial();
     let roots = starting_values(&reference, &polynomial);
     let roots = approach(reference.frequency, &polynomial, roots);
@@ -148,6 +172,7 @@ fn settle<T: Comparison>(
         errors: [zero; 3],
         smallest: zero,
     };
+    let relative = reference.direction_error * (LEADING / LEAST_LEADING) + RELATIVE * UNIT;
     for _ in 0..DETERMINANT_STEPS {
         let distances = Distances::of(reference.frequency, leading, &roots);
         let reciprocals = distances.reciprocals();
@@ -162,7 +187,7 @@ fn settle<T: Comparison>(
             let size = correction.size();
             let rounding = determinant.size * reciprocal.size();
             let error = size.multiply_add(
-                T::constant(RELATIVE * UNIT),
+                relative,
                 rounding.multiply_add(T::constant(TERMS * UNIT), next.size() * UNIT),
             );
             largest = size.larger(largest);
@@ -225,6 +250,8 @@ fn certify<T: Comparison>(
     let known = largest.if_less(distance * LARGEST_SHARE, known, zero);
     let known = worst.if_less(distance * 0.25, known, zero);
     let known = worst.if_less(errors * USEFUL, known, zero);
+    let open = reference.direction_error;
+    let known = open.if_less(T::constant(MOST_OPEN), known, zero);
     let known = far.if_less(T::constant(LARGEST), known, zero);
     let known = T::constant(LEAST_LEADING).if_less(leading, known, zero);
     let known = T::constant(LEAST_FREQUENCY).if_less(lowest, known, zero);

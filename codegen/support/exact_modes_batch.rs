@@ -4,9 +4,12 @@
 
 use super::batch::{self, Batched};
 use super::dispatch::{LengthMismatch, Level, Mode};
-use super::exact_modes::{Modes, exact_modes_body};
+use super::exact_modes::{ExactModesInputs, Modes, exact_modes_body};
 use super::lanes::Lanes;
-use super::section_matrices::{self, SectionMatricesInputs, SectionMatricesSlices};
+use super::section_matrices;
+
+/// The inputs of [`exact_modes_batch`]: slices of one length.
+pub type ExactModesSlices<'a> = ExactModesInputs<&'a [f64]>;
 
 /// The outputs of [`exact_modes_batch`]: slices of the length of the inputs.
 pub type ModesSlicesMut<'a> = Modes<&'a mut [f64]>;
@@ -18,11 +21,11 @@ pub type ModesSlicesMut<'a> = Modes<&'a mut [f64]>;
 ///
 /// If the slices do not all have the same length; then nothing is written.
 pub fn exact_modes_batch(
-    sections: &SectionMatricesSlices<'_>,
+    inputs: &ExactModesSlices<'_>,
     modes: &mut ModesSlicesMut<'_>,
     mode: Mode,
 ) -> Result<(), LengthMismatch> {
-    exact_modes_batch_at(Level::best(), sections, modes, mode)
+    exact_modes_batch_at(Level::best(), inputs, modes, mode)
 }
 
 /// [`exact_modes_batch`] with instructions of the caller's choice.
@@ -32,11 +35,11 @@ pub fn exact_modes_batch(
 /// If the slices do not all have the same length; then nothing is written.
 pub fn exact_modes_batch_at(
     level: Level,
-    sections: &SectionMatricesSlices<'_>,
+    inputs: &ExactModesSlices<'_>,
     modes: &mut ModesSlicesMut<'_>,
     mode: Mode,
 ) -> Result<(), LengthMismatch> {
-    batch::run::<Batch>(level, sections, modes, mode)
+    batch::run::<Batch>(level, inputs, modes, mode)
 }
 
 /// What a batch needs to know.
@@ -45,15 +48,19 @@ struct Batch;
 impl Batched for Batch {
     const WAITS: bool = true;
 
-    type Inputs<T> = SectionMatricesInputs<T>;
+    type Inputs<T> = ExactModesInputs<T>;
     type Outputs<T> = Modes<T>;
 
     #[inline(always)]
     fn inputs<'a, T: 'a, To>(
-        sections: &'a SectionMatricesInputs<T>,
-        make: impl FnMut(&'static str, &'a T) -> To,
-    ) -> SectionMatricesInputs<To> {
-        section_matrices::Batch::inputs(sections, make)
+        inputs: &'a ExactModesInputs<T>,
+        mut make: impl FnMut(&'static str, &'a T) -> To,
+    ) -> ExactModesInputs<To> {
+        ExactModesInputs {
+            section: section_matrices::Batch::inputs(&inputs.section, &mut make),
+            direction_error: make("direction_error", &inputs.direction_error),
+            damping_error: make("damping_error", &inputs.damping_error),
+        }
     }
 
     #[inline(always)]
@@ -87,8 +94,8 @@ impl Batched for Batch {
     }
 
     #[inline(always)]
-    fn body<L: Lanes>(sections: &SectionMatricesInputs<L>) -> Modes<L> {
-        exact_modes_body(sections)
+    fn body<L: Lanes>(inputs: &ExactModesInputs<L>) -> Modes<L> {
+        exact_modes_body(inputs)
     }
 }
 

@@ -5,6 +5,7 @@
 
 use super::comparison::Comparison;
 use super::complex::Complex;
+use super::exact_modes::{ExactModesInputs, TERMS, UNIT};
 use super::section_matrices::{SectionMatricesInputs, section_matrices_body};
 use super::shifted_determinant::{ShiftedDeterminantInputs, shifted_determinant_body};
 use super::shifted_polynomial::{
@@ -22,6 +23,10 @@ pub(super) const LARGEST: f64 = 1e6;
 /// less than 2⁻¹⁰⁷⁴, and is multiplied by no more than five other factors of at most some [`LARGEST`]².
 const UNDERFLOW: f64 = 1e-200;
 
+/// What inputs leave open counts so much more than rounding, which is so many times smaller; with some margin
+/// for its own.
+const OPEN: f64 = 1.001 / (TERMS * UNIT);
+
 /// A section with time counted from a reference frequency: ω_0, in 1 ≤ ω_0 < 2, is the median of the
 /// natural frequencies, which belongs to their closest pair.
 #[derive(Clone, Copy, Debug)]
@@ -34,6 +39,11 @@ pub(super) struct Reference<T> {
     entries: ShiftedPolynomialInputs<T>,
     /// |ρDU/(2m)·S_kk| + |2ζ_kω_k|: the terms of c_kk.
     damping: [T; 3],
+    /// What the inputs leave open of every c_jk, and of e_s and e_c, over the rounding of a unit of a determinant.
+    open_damping: T,
+    open_coupling: T,
+    /// What they leave open of a cosine and a sine.
+    pub direction_error: T,
     /// |ω_0 − ω_k| where this difference is rounded, and 0 within a factor of 2, where it is exact.
     inexact: [T; 3],
     /// 1 where the quantities are in a range in which nothing overflows or underflows unnoticed, else 0.
@@ -51,7 +61,8 @@ pub(super) struct Determinant<T> {
 impl<T: Comparison> Reference<T> {
     /// Takes the quantities of a section.
     #[inline(always)]
-    pub fn of(section: &SectionMatricesInputs<T>) -> Self {
+    pub fn of(inputs: &ExactModesInputs<T>) -> Self {
+        let section = &inputs.section;
         let (one, zero) = (T::constant(1.0), T::constant(0.0));
         let (x, y, t) = (section.omega_x, section.omega_y, section.omega_theta);
         let median = x.smaller(y).larger(x.larger(y).smaller(t));
@@ -66,6 +77,11 @@ impl<T: Comparison> Reference<T> {
         };
         let frequency = median * per_unit;
         let own = section_matrices_body(&section);
+        let open = section_matrices_body(&SectionMatricesInputs {
+            sin_alpha_g_plus_theta_0: inputs.direction_error,
+            S_xy: inputs.damping_error,
+            ..section
+        });
         let natural = [section.omega_x, section.omega_y, section.omega_theta];
         let damping = [
             own.C_a_11.magnitude() + own.C_s_11.magnitude(),
@@ -123,6 +139,9 @@ impl<T: Comparison> Reference<T> {
                 omega_0: frequency,
             },
             damping,
+            open_damping: open.C_a_12 * OPEN,
+            open_coupling: open.M_13.magnitude() * OPEN,
+            direction_error: inputs.direction_error,
             inexact,
             possible,
         }
@@ -182,13 +201,15 @@ impl<T: Comparison> Reference<T> {
         let x = self.diagonal_size(0, nu, modulus);
         let y = self.diagonal_size(1, nu, modulus);
         let t = self.diagonal_size(2, nu, modulus);
-        let e_s = own.e_s.magnitude() * modulus;
-        let e_c = own.e_c.magnitude() * modulus;
+        let open = self.open_damping;
+        let e_s = (own.e_s.magnitude() + self.open_coupling) * modulus + open;
+        let e_c = (own.e_c.magnitude() + self.open_coupling) * modulus + open;
         let xt = e_s + own.c_xt.magnitude();
         let tx = e_s + own.c_tx.magnitude();
         let yt = e_c + own.c_yt.magnitude();
         let ty = e_c + own.c_ty.magnitude();
-        let (xy, yx) = (own.c_xy.magnitude(), own.c_yx.magnitude());
+        let xy = own.c_xy.magnitude() + open;
+        let yx = own.c_yx.magnitude() + open;
         let cycles = (yx * xt).multiply_add(ty, xy * yt * tx);
         let pairs = x.multiply_add(yt * ty, y.multiply_add(xt * tx, t * (xy * yx)));
         let inner = modulus.multiply_add(cycles, pairs);
@@ -203,8 +224,11 @@ impl<T: Comparison> Reference<T> {
         let near = (nu.re + (self.frequency - natural)).magnitude() + self.inexact[place];
         let far = self.frequency + natural + nu.re.magnitude();
         let decay = nu.im.magnitude();
-        // |Im ν|(|Im ν| + c̄) + |Re ω|(2|Im ν| + c̄)
-        near.multiply_add(far, modulus * (decay + decay + self.damping[place]))
+        // |Im ν|(|Im ν| + c̄) + |Re ω|(2|Im ν| + c̄), what is open of c being a part of c̄.
+        near.multiply_add(
+            far,
+            modulus * (decay + decay + self.damping[place] + self.open_damping),
+        )
     }
 }
 

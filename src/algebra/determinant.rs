@@ -47,20 +47,83 @@ pub fn determinant<A: Arithmetic>(
     let columns: Vec<usize> = (0..matrix.columns()).collect();
     let mut minors = Minors {
         matrix,
+        is_turned: false,
         arithmetic,
         known: BTreeMap::new(),
     };
     minors.expanded(0, &columns)
 }
 
+/// The determinants of the first k rows and columns of a square matrix, k from 1 on, each as it is asked for.
+///
+/// Turned round, they are minors of the last rows, which [`determinant`] shares: all together cost no more than the last.
+///
+/// # Errors
+///
+/// Those of the arithmetic.
+///
+/// # Panics
+///
+/// If the matrix is not square.
+///
+/// ```
+/// use sextic::algebra::{
+///     budget::Budget, determinant::leading_minors, fraction::Fraction, matrix::Matrix,
+///     number::Rational, ring::Ring,
+/// };
+///
+/// let ring = Ring::new(Budget::new(10_000));
+/// let number = |n: i32| Fraction::from(Rational::from(n));
+/// // 1 and |1 2; 3 5| = −1
+/// let matrix = Matrix::from_fn(2, 2, |row, column| number([[1, 2], [3, 5]][row][column]));
+/// let minors: Vec<_> = leading_minors(&matrix, &ring).collect::<Result<_, _>>()?;
+/// assert_eq!(minors, [number(1), number(-1)]);
+/// # Ok::<(), sextic::algebra::error::AlgebraError>(())
+/// ```
+pub fn leading_minors<'a, A: Arithmetic>(
+    matrix: &'a Matrix<A::Element>,
+    arithmetic: &'a A,
+) -> impl Iterator<Item = Result<A::Element, A::Error>> {
+    assert!(
+        matrix.is_square(),
+        "the matrix has {} rows, {} columns",
+        matrix.rows(),
+        matrix.columns()
+    );
+    let size = matrix.rows();
+    let mut minors = Minors {
+        matrix,
+        is_turned: true,
+        arithmetic,
+        known: BTreeMap::new(),
+    };
+    let columns: Vec<usize> = (0..size).collect();
+    (0..size).rev().map(move |first| {
+        let minor = minors.minor(first, &columns[first..])?;
+        Ok(A::Element::clone(&minor))
+    })
+}
+
 /// The minors of the last rows of a matrix, each computed once.
 struct Minors<'a, A: Arithmetic> {
     matrix: &'a Matrix<A::Element>,
+    /// Whether rows and columns count from the last one.
+    is_turned: bool,
     arithmetic: &'a A,
     known: BTreeMap<Vec<usize>, Rc<A::Element>>,
 }
 
-impl<A: Arithmetic> Minors<'_, A> {
+impl<'a, A: Arithmetic> Minors<'a, A> {
+    fn entry(&self, row: usize, column: usize) -> &'a A::Element {
+        match self.is_turned {
+            true => {
+                let last = self.matrix.rows() - 1;
+                self.matrix.at(last - row, last - column)
+            }
+            false => self.matrix.at(row, column),
+        }
+    }
+
     /// The minor of the rows from `row` on and as many columns.
     fn minor(&mut self, row: usize, columns: &[usize]) -> Result<Rc<A::Element>, A::Error> {
         if let Some(known) = self.known.get(columns) {
@@ -75,12 +138,12 @@ impl<A: Arithmetic> Minors<'_, A> {
     fn expanded(&mut self, row: usize, columns: &[usize]) -> Result<A::Element, A::Error> {
         match columns {
             [] => return Ok(self.arithmetic.one()),
-            [last] => return Ok(self.matrix.at(row, *last).clone()),
+            [last] => return Ok(self.entry(row, *last).clone()),
             _ => (),
         }
-        let (matrix, arithmetic) = (self.matrix, self.arithmetic);
-        let entries = columns.iter().map(|column| matrix.at(row, *column));
-        let entries = entries.enumerate();
+        let arithmetic = self.arithmetic;
+        let entries: Vec<&A::Element> = columns.iter().map(|own| self.entry(row, *own)).collect();
+        let entries = entries.into_iter().enumerate();
         let products = entries.filter(|(_, entry)| !arithmetic.is_negligible(entry));
         arithmetic.sum_of_products(products.map(|(place, left)| {
             Ok(SignedProduct {

@@ -1,5 +1,7 @@
 //! Exact algebra: numbers, polynomials, fractions, rings with relations, matrices, differentials.
 
+#![deny(clippy::float_arithmetic)]
+
 pub mod angle;
 pub mod arithmetic;
 pub mod budget;

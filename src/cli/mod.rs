@@ -18,8 +18,6 @@ mod match_coefficients;
 mod modes;
 mod new;
 mod output;
-#[cfg(feature = "parquet")]
-mod parquet;
 #[cfg(feature = "stability")]
 mod partial;
 mod regular_file;

@@ -4,18 +4,94 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use super::folder::staged;
-
-/// Rows on their way to a file.
-///
-/// They stand in a file beside it, whose name holds what tells the computation: `sweep.csv.1f0a….part`.
-/// When all are there it gets the name of the other one. A pipe or device is written to directly.
+/// The place beside a file where rows on their way to it are left: `sweep.csv.1f0a….part`, with what tells the
+/// computation in its name. Nobody else writes there as long as this is known.
 #[derive(Debug)]
-pub struct Partial {
+pub struct Reserved {
     file: File,
-    /// The file beside the target; `None` for what is no regular file.
-    path: Option<PathBuf>,
+    path: PathBuf,
     target: PathBuf,
+}
+
+impl Reserved {
+    /// The place for a file; `identity` tells its computation from others.
+    ///
+    /// # Errors
+    ///
+    /// If the folder cannot be written to, or another process is at it.
+    pub fn new(target: &Path, identity: &str) -> io::Result<Self> {
+        let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
+        let path = beside(&target, identity)?;
+        let file = locked(&path)?;
+        Ok(Reserved { file, path, target })
+    }
+
+    /// What an earlier run left; empty at first.
+    #[cfg(feature = "parquet")]
+    pub fn file(&self) -> &File {
+        &self.file
+    }
+
+    /// The folder of the target.
+    #[cfg(feature = "parquet")]
+    pub fn folder(&self) -> &Path {
+        folder(&self.target)
+    }
+
+    /// Another file gets the name of the target, and nothing is left.
+    #[cfg(feature = "parquet")]
+    pub fn finish(self, file: tempfile::NamedTempFile) -> io::Result<()> {
+        file.as_file().sync_all()?;
+        file.persist(&self.target).map_err(|error| error.error)?;
+        fs::remove_file(&self.path)
+    }
+
+    /// Another file stands for what is left.
+    #[cfg(feature = "parquet")]
+    pub fn leave(self, file: tempfile::NamedTempFile) -> io::Result<()> {
+        file.as_file().sync_all()?;
+        file.persist(&self.path).map_err(|error| error.error)?;
+        Ok(())
+    }
+
+    /// The rows of other computations beside the target, and whether they are being written: else they are left
+    /// of a run that was interrupted.
+    pub fn others(&self) -> Vec<(PathBuf, bool)> {
+        let name = |path: &Path| {
+            path.file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned()
+        };
+        let target = name(&self.target);
+        let is_other = |path: &PathBuf| {
+            let is_part =
+                name(path).starts_with(&format!("{target}.")) && name(path).ends_with(".part");
+            is_part && self.path != *path
+        };
+        let entries = fs::read_dir(folder(&self.target))
+            .into_iter()
+            .flatten()
+            .flatten();
+        let own = |entry: fs::DirEntry| self.target.with_file_name(entry.file_name());
+        let mut others: Vec<PathBuf> = entries.map(own).filter(is_other).collect();
+        others.sort();
+        let found = others.into_iter().map(|path| {
+            let is_written = is_locked(&path);
+            (path, is_written)
+        });
+        found.collect()
+    }
+}
+
+/// Rows of text on their way to a file: all of them get its name when the last one is there. A pipe or device is
+/// written to directly.
+#[derive(Debug)]
+pub enum Partial {
+    /// To a regular file.
+    Beside(Reserved),
+    /// To something else.
+    Directly(File),
 }
 
 /// No row has so many bytes.
@@ -54,25 +130,13 @@ impl Partial {
         heading: &str,
         row: impl Fn(u64) -> Option<String>,
     ) -> io::Result<(Self, Left)> {
-        let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
-        if fs::metadata(&target).is_ok_and(|known| !known.is_file()) {
-            let file = OpenOptions::new().write(true).open(&target)?;
-            let mut partial = Partial {
-                file,
-                path: None,
-                target,
-            };
+        if fs::metadata(target).is_ok_and(|known| !known.is_file()) {
+            let mut partial = Partial::Directly(OpenOptions::new().write(true).open(target)?);
             partial.write(heading)?;
             return Ok((partial, Left::Nothing));
         }
-        let path = beside(&target, identity)?;
-        let file = locked(&path)?;
-        let mut partial = Partial {
-            file,
-            path: Some(path),
-            target,
-        };
-        let left = match partial.whole_rows(heading)? {
+        let mut reserved = Reserved::new(target, identity)?;
+        let left = match whole_rows(&mut reserved.file, heading)? {
             Some(found) if row(found.rows - 1).as_ref() == Some(&found.last) => {
                 Left::Rows(found.rows)
             }
@@ -80,85 +144,60 @@ impl Partial {
             None => Left::Nothing,
         };
         if !matches!(left, Left::Rows(_)) {
-            partial.file.set_len(0)?;
-            partial.file.rewind()?;
-            partial.write(heading)?;
+            reserved.file.set_len(0)?;
+            reserved.file.rewind()?;
+            reserved.file.write_all(heading.as_bytes())?;
         }
-        Ok((partial, left))
+        Ok((Partial::Beside(reserved), left))
     }
 
-    /// The rows that are whole, with what follows them cut off.
-    fn whole_rows(&mut self, heading: &str) -> io::Result<Option<Found>> {
-        let mut reader = BufReader::new(&self.file);
-        let (mut whole, mut rows) = (0, 0);
-        let (mut line, mut last) = (Vec::new(), Vec::new());
-        // What is longer than any row is no row.
-        let mut next = |line: &mut Vec<u8>| (&mut reader).take(LONGEST).read_until(b'\n', line);
-        while next(&mut line)? > 0 && line.ends_with(b"\n") {
-            if whole == 0 && line != heading.as_bytes() {
-                return Ok(None);
-            }
-            rows += u64::from(whole > 0);
-            whole += line.len() as u64;
-            std::mem::swap(&mut last, &mut line);
-            line.clear();
+    /// The place where rows are left, if there is one.
+    pub fn reserved(&self) -> Option<&Reserved> {
+        match self {
+            Partial::Beside(reserved) => Some(reserved),
+            Partial::Directly(_) => None,
         }
-        self.file.set_len(whole)?;
-        self.file.seek(SeekFrom::End(0))?;
-        let last = String::from_utf8_lossy(&last).into_owned();
-        Ok((rows > 0).then_some(Found { rows, last }))
-    }
-
-    /// The rows of other computations beside the target, and whether they are being written: else they are left
-    /// of a run that was interrupted.
-    pub fn others(&self) -> Vec<(PathBuf, bool)> {
-        let name = |path: &Path| {
-            path.file_name()
-                .unwrap_or_default()
-                .to_string_lossy()
-                .into_owned()
-        };
-        let target = name(&self.target);
-        let is_other = |path: &PathBuf| {
-            let is_part =
-                name(path).starts_with(&format!("{target}.")) && name(path).ends_with(".part");
-            is_part && self.path.as_ref() != Some(path)
-        };
-        let entries = fs::read_dir(folder(&self.target))
-            .into_iter()
-            .flatten()
-            .flatten();
-        let own = |entry: fs::DirEntry| self.target.with_file_name(entry.file_name());
-        let mut others: Vec<PathBuf> = entries.map(own).filter(is_other).collect();
-        others.sort();
-        let found = others.into_iter().map(|path| {
-            let is_written = is_locked(&path);
-            (path, is_written)
-        });
-        found.collect()
     }
 
     /// Adds whole rows.
     pub fn write(&mut self, rows: &str) -> io::Result<()> {
-        self.file.write_all(rows.as_bytes())
+        let file = match self {
+            Partial::Beside(reserved) => &mut reserved.file,
+            Partial::Directly(file) => file,
+        };
+        file.write_all(rows.as_bytes())
     }
 
-    /// The rows get the name of the target, as they are or as `convert` writes them to another file.
-    pub fn finish(self, convert: Option<Conversion>) -> io::Result<()> {
-        let Some(path) = self.path else {
+    /// The rows get the name of the target.
+    pub fn finish(self) -> io::Result<()> {
+        let Partial::Beside(reserved) = self else {
             return Ok(());
         };
-        self.file.sync_all()?;
-        let Some(convert) = convert else {
-            return fs::rename(&path, &self.target);
-        };
-        let folder = folder(&self.target);
-        let staged = staged(folder)?;
-        convert(&path, staged.as_file())?;
-        staged.as_file().sync_all()?;
-        staged.persist(&self.target).map_err(|error| error.error)?;
-        fs::remove_file(&path)
+        reserved.file.sync_all()?;
+        fs::rename(&reserved.path, &reserved.target)
     }
+}
+
+/// The rows that are whole, with what follows them cut off.
+fn whole_rows(file: &mut File, heading: &str) -> io::Result<Option<Found>> {
+    let mut reader = BufReader::new(&*file);
+    let (mut whole, mut rows) = (0, 0);
+    let (mut line, mut last) = (Vec::new(), Vec::new());
+    // What is longer than any row is no row.
+    let mut next = |line: &mut Vec<u8>| (&mut reader).take(LONGEST).read_until(b'\n', line);
+    while next(&mut line)? > 0 && line.ends_with(b"\n") {
+        if whole == 0 && line != heading.as_bytes() {
+            return Ok(None);
+        }
+        rows += u64::from(whole > 0);
+        whole += line.len() as u64;
+        std::mem::swap(&mut last, &mut line);
+        line.clear();
+    }
+    file.set_len(whole)?;
+    file.seek(SeekFrom::End(0))?;
+    let last = String::from_utf8_lossy(&last).into_owned();
+    Ok((rows > 0).then_some(Found { rows, last }))
 }
 
 /// A file of rows, locked as long as it is open: made if need be.
@@ -206,9 +245,6 @@ fn is_locked(path: &Path) -> bool {
     let file = OpenOptions::new().read(true).write(true).open(path);
     file.is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
 }
-
-/// Writes the rows of a file in another format.
-pub type Conversion = fn(&Path, &File) -> io::Result<()>;
 
 fn folder(path: &Path) -> &Path {
     match path.parent() {

@@ -1,32 +1,31 @@
 //! `sextic sweep`: a case at all combinations of values of its quantities.
 
-use std::io;
-use std::ops::Range;
+#[cfg(feature = "parquet")]
+mod parquet;
+mod rows;
+mod written;
+
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Args, ValueEnum};
-use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
-use rayon::prelude::*;
-use sha2::{Digest, Sha256};
 
 use crate::algebra::number::Rational;
 use crate::compile::fixed::Fixed;
 use crate::language::diagnostic::nearest;
 use crate::language::syntax::Name;
-use crate::report::csv::{grid_heading, grid_row, system_heading, system_row};
 use crate::stability::axis::{Axis, spaced};
 use crate::stability::coefficient_table::remarks::remarks;
 use crate::stability::grid::{Grid, MOST_POINTS, Methods, Rows};
-use crate::stability::system::sweep::{Sweep, SweepAxis};
+use crate::stability::system::sweep::SweepAxis;
 use crate::stability::variable::Variable;
 
 use super::Outcome;
 use super::case::{refuse, set_case_and_files, warn};
 use super::generate::FixedParser;
-use super::output::{complain, finish, reason, stream, wrong};
-use super::partial::{Conversion, Left, Partial};
+use super::output::wrong;
 use super::system::{Which, is_document, numbers, with};
+
+use self::written::written;
 
 /// Computes a case, or a system that a document derives, at all combinations of values of its quantities
 ///
@@ -104,10 +103,11 @@ Columns of a case, after the quantities and the angle, as far as their methods a
   the norm of all damping over twice the lowest frequency), no-roots (none found in doubles)
 
 Without --worst there is a row for every combination at every angle of the case: that of the first
-example at 361 angles has 14,440,000 of them, and takes minutes.
+example at 361 angles has 14,440,000 of them, and takes a while.
 
 An interrupted sweep says so, and leaves its rows in a file whose name ends in .part, beside
-the other one.
+the other one. A .parquet file has all digits; what is left of one is a Parquet file as well, but
+nothing is left where the process is killed.
 
 Examples:
   sextic sweep case.toml --vary L_g=0:0.004:200 --vary U=2:40:200 --worst --out sweep.csv
@@ -118,15 +118,6 @@ Examples:
 Exit status:
   0  all rows were computed
   2  the input is wrong, or the file cannot be written; rows that were written are kept";
-
-/// About so many points are computed between writes.
-const BLOCK: u64 = 16_384;
-
-/// The fewest rows between writes, so that all cores have some.
-const FEWEST_ROWS: u64 = 64;
-
-/// Whether the user wants to stop.
-static IS_INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
 /// Computes a sweep and writes its rows.
 pub fn run(arguments: &Arguments) -> Outcome {
@@ -198,77 +189,11 @@ fn of_system(arguments: &Arguments) -> Outcome {
     };
     let evaluator = &chosen.system.evaluator;
     let texts = [&*evaluator.hash, &*evaluator.name, &format!("{values:?}")];
-    written(&sweep, arguments, &texts)
-}
-
-fn written(table: &dyn Table, arguments: &Arguments, texts: &[&str]) -> Outcome {
-    match &arguments.out {
-        None => to_output(table),
-        Some(path) => to_file(table, path, &identity(arguments, texts)),
-    }
-}
-
-/// Rows that are computed one after the other, each by its number alone.
-trait Table: Sync {
-    /// How many rows there are.
-    fn count(&self) -> u64;
-    /// How many points it takes to compute one.
-    fn points_in_a_row(&self) -> u64;
-    /// The heading, with the end of the line.
-    fn heading(&self) -> String;
-    /// How many rows one core computes at a time.
-    fn at_once(&self) -> u64;
-    /// Rows with the ends of their lines.
-    fn text(&self, rows: Range<u64>) -> String;
-}
-
-impl Table for Grid<'_> {
-    fn count(&self) -> u64 {
-        self.rows()
-    }
-
-    fn points_in_a_row(&self) -> u64 {
-        Grid::points_in_a_row(self)
-    }
-
-    fn heading(&self) -> String {
-        grid_heading(self)
-    }
-
-    fn at_once(&self) -> u64 {
-        8
-    }
-
-    fn text(&self, rows: Range<u64>) -> String {
-        rows.map(|number| grid_row(self, &self.row(number)))
-            .collect()
-    }
-}
-
-impl Table for Sweep<'_> {
-    fn count(&self) -> u64 {
-        self.len() as u64
-    }
-
-    fn points_in_a_row(&self) -> u64 {
-        1
-    }
-
-    fn heading(&self) -> String {
-        system_heading(self)
-    }
-
-    fn at_once(&self) -> u64 {
-        512
-    }
-
-    fn text(&self, rows: Range<u64>) -> String {
-        let places = rows.start as usize..rows.end as usize;
-        let found = self.rows(places.clone());
-        let rows = places.zip(found);
-        rows.map(|(place, row)| system_row(&self.values(place), &row))
-            .collect()
-    }
+    written(
+        &sweep,
+        arguments.out.as_deref(),
+        &identity(arguments, &texts),
+    )
 }
 
 /// A case and its table at all points.
@@ -305,169 +230,25 @@ fn of_case(arguments: &Arguments, path: &Path) -> Outcome {
         Err(error) => return refuse(&error),
     };
     let set = format!("{:?}", arguments.set);
-    written(&grid, arguments, &[&files[0].text, &files[1].text, &set])
+    let texts = [&*files[0].text, &files[1].text, &set];
+    written(
+        &grid,
+        arguments.out.as_deref(),
+        &identity(arguments, &texts),
+    )
 }
 
-fn to_output(table: &dyn Table) -> Outcome {
-    let written = stream(&table.heading()).and_then(|is_read| match is_read {
-        true => compute(table, 0, &mut stream),
-        false => Ok(()),
-    });
-    match written {
-        Ok(()) => Outcome::AsExpected,
-        Err(error) => wrong(
-            &format!("standard output cannot be written: {}", reason(&error)),
-            "name a file with --out",
-        ),
-    }
-}
-
-fn to_file(table: &dyn Table, path: &Path, identity: &str) -> Outcome {
-    let unwritable = |error: &io::Error, help: &str| {
-        let what = format!("`{}` cannot be written: {}", path.display(), reason(error));
-        wrong(&what, help)
-    };
-    let conversion = match conversion(path) {
-        Ok(conversion) => conversion,
-        Err(outcome) => return outcome,
-    };
-    let heading = table.heading();
-    let row = |number| (number < table.count()).then(|| table.text(number..number + 1));
-    let (mut partial, left) = match Partial::open(path, identity, &heading, row) {
-        Ok(begun) => begun,
-        Err(error) => {
-            let help = "name a file in a folder that is there and that you may write to, and to which no other sweep writes";
-            return unwritable(&error, help);
-        }
-    };
-    for (other, is_written) in partial.others() {
-        let what = match is_written {
-            true => "is being written by another sweep to the same file, with other inputs",
-            false => {
-                "is left of a sweep with other inputs that was interrupted: delete it if you need it no more"
-            }
-        };
-        complain(&format!("{} {what}\n", other.display()));
-    }
-    let done = match left {
-        Left::Nothing => 0,
-        Left::Rows(rows) => {
-            complain(&format!("{rows} rows are there already\n"));
-            rows
-        }
-        Left::Useless(rows) => {
-            complain(&format!(
-                "{rows} rows that are there are not as this program computes them: all begins anew\n"
-            ));
-            0
-        }
-    };
-    // Where signals cannot be caught, an interruption is silent.
-    let _ = ctrlc::set_handler(|| IS_INTERRUPTED.store(true, Ordering::Relaxed));
-    let mut write = |rows: &str| {
-        partial.write(rows)?;
-        match IS_INTERRUPTED.load(Ordering::Relaxed) {
-            true => Err(io::ErrorKind::Interrupted.into()),
-            false => Ok(true),
-        }
-    };
-    let written = compute(table, done, &mut write).and_then(|()| partial.finish(conversion));
-    match written {
-        Ok(()) => finish(
-            &format!("{}: {} rows\n", path.display(), table.count()),
-            Outcome::AsExpected,
-        ),
-        Err(error) if error.kind() == io::ErrorKind::Interrupted => wrong(
-            &format!(
-                "the sweep was interrupted: `{}` is not there yet",
-                path.display()
-            ),
-            "give the same command again to go on with the rows that were written",
-        ),
-        Err(error) => unwritable(
-            &error,
-            "give the same command again to go on with the rows that were written",
-        ),
-    }
-}
-
-/// Computes the rows from one on and writes them in order, until there is nobody who reads them.
-fn compute(
-    table: &dyn Table,
-    from: u64,
-    write: &mut dyn FnMut(&str) -> io::Result<bool>,
-) -> io::Result<()> {
-    let progress = ProgressBar::new(table.count())
-        .with_position(from)
-        .with_finish(ProgressFinish::AndClear);
-    let style = ProgressStyle::with_template(
-        "{bar:40} {percent} %  {human_pos} of {human_len} rows, {eta} left",
-    );
-    progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-    progress.reset_eta();
-    let block = (BLOCK / table.points_in_a_row()).max(FEWEST_ROWS);
-    let mut next = from;
-    while next < table.count() {
-        let end = (next + block).min(table.count());
-        let parts: Vec<u64> = (next..end).step_by(table.at_once() as usize).collect();
-        let part = |start: u64| table.text(start..(start + table.at_once()).min(end));
-        let texts: Vec<String> = parts.into_par_iter().map(part).collect();
-        for text in texts {
-            if !write(&text)? {
-                return Ok(());
-            }
-        }
-        next = end;
-        progress.set_position(next);
-    }
-    Ok(())
-}
-
-/// What tells a sweep from others: this version, the texts that it rests on, and what was asked.
-fn identity(arguments: &Arguments, texts: &[&str]) -> String {
+/// What tells a sweep from others: the texts that it rests on, and what was asked.
+fn identity(arguments: &Arguments, texts: &[&str]) -> Vec<String> {
     let asked = format!(
         "{:?} {:?} {}",
         arguments.vary, arguments.method, arguments.worst
     );
-    let version = env!("CARGO_PKG_VERSION");
-    let texts = texts.iter().copied().chain([version, &asked]);
-    let mut hash = Sha256::new();
-    for text in texts {
-        hash.update(text.len().to_le_bytes());
-        hash.update(text);
-    }
-    let digits: String = hash
-        .finalize()
+    texts
         .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect();
-    digits[..12].to_string()
-}
-
-/// How rows become a file with this name.
-fn conversion(path: &Path) -> Result<Option<Conversion>, Outcome> {
-    match path.extension().and_then(|extension| extension.to_str()) {
-        #[cfg(feature = "parquet")]
-        Some("parquet") if path.exists() && !path.is_file() => Err(wrong(
-            &format!(
-                "`{}` is no regular file: Parquet is not written row by row",
-                path.display()
-            ),
-            "name a file, or a pipe whose name does not end in .parquet",
-        )),
-        #[cfg(feature = "parquet")]
-        Some("parquet") => Ok(Some(super::parquet::from_csv)),
-        #[cfg(not(feature = "parquet"))]
-        Some("parquet") => Err(wrong(
-            "this build writes no Parquet",
-            "build it with `--features parquet`, or name a .csv file",
-        )),
-        Some("csv") | None => Ok(None),
-        Some(other) => Err(wrong(
-            &format!("a sweep is not written as .{other}"),
-            "name a .csv file, or a .parquet file",
-        )),
-    }
+        .map(ToString::to_string)
+        .chain([asked])
+        .collect()
 }
 
 /// A quantity and its evenly spaced values, as they are written.

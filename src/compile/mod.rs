@@ -1,5 +1,7 @@
 //! What a document derives becomes straight-line programs.
 
+#![deny(clippy::float_arithmetic)]
+
 pub mod circle;
 pub mod constant;
 pub mod door;

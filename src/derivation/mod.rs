@@ -1,5 +1,7 @@
 //! The first route: expressions become elements of the ring, and assertions are found true or not.
 
+#![deny(clippy::float_arithmetic)]
+
 pub mod assertion;
 pub mod condition;
 pub mod domain;

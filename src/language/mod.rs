@@ -2,6 +2,8 @@
 //!
 //! Nothing here knows what an expression is worth; of algebra it takes the numbers.
 
+#![deny(clippy::float_arithmetic)]
+
 mod blank;
 pub mod built_in;
 mod character;

@@ -7,6 +7,8 @@
 //!
 //! This route knows the syntax of documents and exact numbers, and nothing of the ring.
 
+#![deny(clippy::float_arithmetic)]
+
 mod angle;
 pub mod assignment;
 mod derivative;

@@ -1,15 +1,12 @@
-//! Comparisons and grids as tables for spreadsheets and programs.
+//! Comparisons and sweeps as tables for spreadsheets and programs.
 
-use std::f64::consts::TAU;
 use std::fmt::Write;
 
-use crate::stability::closed_form::Limitation;
 use crate::stability::comparison::{Comparison, angle};
-use crate::stability::grid::{Grid, GridPoint};
 use crate::stability::system::critical::Ranges;
-use crate::stability::system::sweep::{Sweep, SweepRow};
 use crate::stability::validity::{Form, Validity};
 
+use super::columns::{Cells, Column, Digits};
 use super::speeds::{SpeedsFound, ends};
 use super::stability::{bound, certain, decimal};
 
@@ -102,111 +99,42 @@ pub fn validity(validity: &Validity) -> String {
     text
 }
 
-/// The heading of the rows of a grid, with the end of the line: its quantities, S by the methods that are
-/// asked, bounds of their errors, the frequency and the coordinate that moves most in the mode with the
-/// least damping, and what speaks against the closed and the uniform form.
-pub fn grid_heading(grid: &Grid) -> String {
-    let methods = grid.methods();
-    let optional = [
-        (methods.exact, "s3d_exact"),
-        (methods.companion, "s3d_companion"),
-        (methods.closed, "s3d_closed"),
-        (methods.uniform, "s3d_uniform"),
-        (methods.exact, "error_exact"),
-        (methods.companion, "error_companion"),
-        (methods.exact, "frequency_hz"),
-        (methods.exact, "mostly"),
-        (methods.closed, "closed_limits"),
-        (methods.uniform, "uniform_limits"),
-    ];
-    let asked = optional.iter().filter(|(is_asked, _)| *is_asked);
-    let variables = grid.variables().map(|variable| variable.name);
-    let names: Vec<&str> = variables.chain(asked.map(|(_, name)| *name)).collect();
+/// The heading of a table, with the end of the line.
+pub fn heading(columns: &[Column]) -> String {
+    let names: Vec<&str> = columns.iter().map(|own| own.name.as_str()).collect();
     names.join(",") + "\n"
 }
 
-/// A row of a grid, with the end of the line: an empty cell is a method that does not apply, or has no
-/// answer.
+/// The rows of a table, with the ends of their lines.
 ///
-/// S has the decimals that are certain, nine at most.
-pub fn grid_row(grid: &Grid, point: &GridPoint) -> String {
-    let methods = grid.methods();
-    let mut row = String::with_capacity(96);
-    // Writing to a string cannot fail.
-    if let Some((degrees, others)) = point.values.split_last() {
-        for value in others {
-            let _ = write!(row, "{value},");
+/// Numbers with bounds have the decimals that are certain, nine at most.
+pub fn rows(columns: &[Column]) -> String {
+    let count = columns.first().map_or(0, |own| own.cells.len());
+    let mut text = String::with_capacity(16 * count * columns.len());
+    for row in 0..count {
+        for own in columns {
+            write_cell(&mut text, &own.cells, row);
+            text.push(',');
         }
-        // No angle is the worst where no method has an answer.
-        let _ = match degrees.is_nan() {
-            true => write!(row, ","),
-            false => write!(row, "{},", angle(*degrees)),
-        };
+        text.pop();
+        text.push('\n');
     }
-    let mut cell = |is_asked: bool, text: Option<String>| {
-        if is_asked {
-            row += &text.unwrap_or_default();
-            row.push(',');
-        }
-    };
-    cell(methods.exact, point.exact.map(certain));
-    cell(methods.companion, point.companion.map(certain));
-    cell(
-        methods.closed,
-        point.closed.value.map(|closed| decimal(closed, 9)),
-    );
-    cell(
-        methods.uniform,
-        point.uniform.value.map(|uniform| decimal(uniform, 9)),
-    );
-    cell(methods.exact, point.exact.map(bound));
-    cell(methods.companion, point.companion.map(bound));
-    let (frequency, mostly) = point.critical.unzip();
-    cell(
-        methods.exact,
-        frequency.map(|frequency| decimal(frequency, 6)),
-    );
-    cell(
-        methods.exact,
-        mostly.map(|mostly| mostly.name().to_string()),
-    );
-    let words = |limits: &[Limitation]| -> Option<String> {
-        let names: Vec<&str> = limits.iter().map(Limitation::name).collect();
-        Some(names.join(" "))
-    };
-    cell(methods.closed, words(&point.closed.limitations));
-    cell(methods.uniform, words(&point.uniform.limitations));
-    row.pop();
-    row.push('\n');
-    row
+    text
 }
 
-/// The heading of the rows of a sweep of a system, with the end of the line.
-pub fn system_heading(sweep: &Sweep<'_>) -> String {
-    let names = sweep.axes().iter().map(|axis| axis.name.as_str());
-    let names: Vec<&str> = names.chain(SYSTEM_COLUMNS).collect();
-    names.join(",") + "\n"
-}
-
-/// What is known of a system at a point: the largest real part and its error in 1/s, the frequency of that
-/// mode in Hz, and whether the system is stable.
-const SYSTEM_COLUMNS: [&str; 4] = ["growth", "error", "frequency_hz", "verdict"];
-
-/// A row of a sweep of a system, with the end of the line, in full precision: cells are empty where the system
-/// has no numbers, and the verdict where the errors do not decide it.
-pub fn system_row(values: &[f64], row: &SweepRow) -> String {
-    let number = |value: &f64| format!("{value:?}");
-    let mut cells: Vec<String> = values.iter().map(number).collect();
-    match &row.growth {
-        Ok(own) => {
-            let numbers = [own.value.re, own.error, own.value.im / TAU];
-            cells.extend(numbers.iter().map(number));
+/// Writes a cell; writing to a string cannot fail.
+fn write_cell(text: &mut String, cells: &Cells, row: usize) {
+    let _ = match cells {
+        Cells::Numbers(numbers, _) if numbers[row].is_nan() => Ok(()),
+        Cells::Numbers(numbers, Digits::All) => write!(text, "{}", numbers[row]),
+        Cells::Numbers(numbers, Digits::Point) => write!(text, "{:?}", numbers[row]),
+        Cells::Numbers(numbers, Digits::Decimals(decimals)) => {
+            text.write_str(&decimal(numbers[row], i32::from(*decimals)))
         }
-        Err(_) => cells.extend([const { String::new() }; 3]),
-    }
-    let verdict = row.verdict.map(|own| own.name().to_string());
-    cells.push(verdict.unwrap_or_default());
-    cells.join(",") + "\n"
+        Cells::Certain(values) => text.write_str(&values[row].map(certain).unwrap_or_default()),
+        Cells::Bounds(values) => text.write_str(&values[row].map(bound).unwrap_or_default()),
+        Cells::Words(words) => text.write_str(words[row]),
+    };
 }
 
 /// A row a range of a quantity of a system: its ends, and the verdict that is certain between them.

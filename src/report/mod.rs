@@ -7,6 +7,7 @@
 #[cfg(feature = "stability")]
 pub mod closeness;
 #[cfg(feature = "stability")]
+pub mod columns;
 pub mod csv;
 pub mod details;
 pub mod evaluation;

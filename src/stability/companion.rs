@@ -5,6 +5,7 @@ use num_complex::Complex;
 use polynomial::Polynomial;
 use sextic_evaluators::characteristic_polynomial::characteristic_polynomial as evaluated;
 
+use super::approximation::approximate_eigenvalues;
 use super::ball::Ball;
 use super::eigenvalue::{Spectrum, best_spectrum};
 use super::enclosure::error_bounds;
@@ -12,7 +13,6 @@ use super::error::StabilityError;
 use super::forces::Forces;
 use super::given::Given;
 use super::model::Model;
-use super::schur::approximate_eigenvalues;
 
 /// The eigenvalues as roots of the characteristic polynomial, Eq. (19), by its companion matrix.
 ///

@@ -14,7 +14,7 @@ use super::exact_section::ExactSection;
 use super::in_speed::InSpeed;
 use super::input::InputError;
 use super::interpolation::CoefficientCurves;
-use super::neutral::without_pairs;
+use super::neutral::{enclosure, without_pairs};
 use super::speed_search::{Found, LOWEST, Part, parts};
 use super::system::arithmetic::NoValue;
 
@@ -213,6 +213,9 @@ pub fn speeds(section: &ExactSection, highest: f64) -> Speeds {
     if unit <= Rational::ZERO {
         return Speeds::new(&[], highest, false);
     }
+    if let Some(parts) = enclosed_parts(section, &unit) {
+        return Speeds::new(&parts, highest, false);
+    }
     let mut found = Speeds::new(&[Part::undecided()], highest, false);
     let sums = TrigonometricSums::new(Budget::new(MOST_PRODUCTS));
     let Ok(polynomial) = section.characteristic_polynomial(&unit, &sums) else {
@@ -224,14 +227,34 @@ pub fn speeds(section: &ExactSection, highest: f64) -> Speeds {
         return found;
     };
     for bits in DIGITS {
-        let parts = parts(&polynomial, &stiffness, &Intervals::new(bits));
+        let intervals = Intervals::new(bits);
+        let polynomial: Vec<_> = polynomial
+            .iter()
+            .map(|own| enclosure(own, &intervals))
+            .collect();
+        let parts = parts(&polynomial, &enclosure(&stiffness, &intervals), &intervals);
         found = Speeds::new(&parts, highest, is_neutral);
-        let is_open = |own: &Part| own.certain().is_none() && !own.is_negligible();
         if !parts.iter().any(is_open) {
             break;
         }
     }
     found
+}
+
+/// Whether more digits may tell more: a single change is isolated as well as it can be.
+fn is_open(part: &Part) -> bool {
+    part.found == Found::Certain(Stability::Undecided) && !part.is_negligible()
+}
+
+/// The parts if enclosures of the coefficients leave nothing open, and are stable somewhere, so that no motion is
+/// neutral at all speeds: no exact number is needed then.
+fn enclosed_parts(section: &ExactSection, unit: &Rational) -> Option<Vec<Part>> {
+    let intervals = Intervals::new(DIGITS[0]);
+    let polynomial = section.characteristic_polynomial(unit, &intervals).ok()?;
+    let parts = parts(&polynomial, polynomial.first()?, &intervals);
+    let is_stable = |own: &Part| own.certain() == Some(Stability::Stable);
+    let is_known = !parts.iter().any(is_open) && parts.iter().any(is_stable);
+    is_known.then_some(parts)
 }
 
 /// The characteristic polynomial in powers of λ and of the speed without pairs of imaginary roots, and whether there

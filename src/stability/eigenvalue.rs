@@ -3,7 +3,7 @@
 use num_complex::Complex;
 
 use super::error::StabilityError;
-use super::section::Section;
+use super::section::{Parameters, Section};
 
 /// An eigenvalue λ of a section, in 1/s, and a bound of its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,43 +40,43 @@ impl Spectrum {
 
     /// The largest real part and a bound of its error, in 1/s.
     pub fn largest_real_part(&self) -> (f64, f64) {
-        let values = self.eigenvalues.iter();
-        let part = values
-            .clone()
-            .map(|own| own.value.re)
-            .fold(f64::NEG_INFINITY, f64::max);
-        // What may exceed the largest computed one is an eigenvalue with a larger bound.
-        let above = values
-            .clone()
-            .map(|own| own.value.re + own.error)
-            .fold(part, f64::max);
-        let below = values
-            .map(|own| own.value.re - own.error)
-            .fold(f64::NEG_INFINITY, f64::max);
-        // What is lost by rounding here is less.
-        let error = (above - part).max(part - below);
-        (
-            part,
-            (error + 4.0 * f64::EPSILON * part.abs()) * (1.0 + 8.0 * f64::EPSILON),
-        )
+        largest_real_part(&self.eigenvalues)
     }
 
     /// S_3D = −4 m max λ_R/(ρ D U) of a section (S_2D with two free coordinates) and a bound of its
     /// error, Eq. (13); `None` without wind.
     pub fn damping_coefficient(&self, section: &Section) -> Option<(f64, f64)> {
-        let (part, error) = self.largest_real_part();
-        let coefficient = section.damping_coefficient(part)?;
-        let error = section.damping_coefficient(error)?.abs();
-        Some((
-            coefficient,
-            (error + 8.0 * f64::EPSILON * coefficient.abs()) * (1.0 + 8.0 * f64::EPSILON),
-        ))
+        damping_coefficient(section.parameters(), self.largest_real_part())
     }
 
     /// Those whose imaginary part is computed as 0 or above: one of each pair, and the real ones.
     pub fn one_of_each_pair(&self) -> impl Iterator<Item = &Eigenvalue> {
         self.eigenvalues.iter().filter(|own| own.value.im >= 0.0)
     }
+}
+
+/// The largest real part of some eigenvalues, one of each pair at least, and a bound of its error, in 1/s.
+pub(super) fn largest_real_part(eigenvalues: &[Eigenvalue]) -> (f64, f64) {
+    let largest = |number: fn(&Eigenvalue) -> f64| {
+        let numbers = eigenvalues.iter().map(number);
+        numbers.fold(f64::NEG_INFINITY, f64::max)
+    };
+    let part = largest(|own| own.value.re);
+    // What may exceed the largest computed one is an eigenvalue with a larger bound.
+    let above = largest(|own| own.value.re + own.error);
+    let below = largest(|own| own.value.re - own.error);
+    // What is lost by rounding here is less.
+    let error = (above - part).max(part - below);
+    let rounding = 4.0 * f64::EPSILON * part.abs();
+    (part, (error + rounding) * (1.0 + 8.0 * f64::EPSILON))
+}
+
+/// S of a real part with a bound of its error, Eq. (13), and a bound of the error of S; `None` without wind.
+pub(super) fn damping_coefficient(p: &Parameters, (part, error): (f64, f64)) -> Option<(f64, f64)> {
+    let coefficient = p.damping_coefficient(part)?;
+    let error = p.damping_coefficient(error)?.abs();
+    let rounding = 8.0 * f64::EPSILON * coefficient.abs();
+    Some((coefficient, (error + rounding) * (1.0 + 8.0 * f64::EPSILON)))
 }
 
 /// The best of several approximations: values in units of `unit`, errors as `bounds` finds them.

@@ -1,7 +1,5 @@
 //! The equations of motion of a section, M q̈ + (C_s + C_a) q̇ + (K + K_a) q = 0, as they were derived and compiled.
 
-use std::cell::RefCell;
-
 use sextic_codegen::arithmetic::Arithmetic as Numbers;
 use sextic_evaluators::aerodynamic_damping::aerodynamic_damping_body;
 use sextic_evaluators::arithmetic::Arithmetic;
@@ -151,13 +149,8 @@ impl<T: Clone> Given<T> {
         arithmetic: &mut A,
         functions: impl FnOnce(&Given<Recorded>) -> Vec<Recorded>,
     ) -> Result<Vec<T>, A::Error> {
-        let values = RefCell::new(Vec::new());
-        let places = self.map(|own| {
-            let mut values = values.borrow_mut();
-            values.push(own.clone());
-            values.len() - 1
-        });
-        recorded::run(arithmetic, &values.into_inner(), |inputs| {
+        let (places, values) = self.flattened();
+        recorded::run(arithmetic, &values, |inputs| {
             functions(&places.map(|place| inputs[*place]))
         })
     }

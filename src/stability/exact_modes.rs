@@ -1,19 +1,15 @@
 //! Exact modes: the roots of the characteristic polynomial without an eigenvalue routine.
 
 use std::fmt;
-use std::iter::once;
 
 use num_complex::Complex;
-use sextic_evaluators::exact_modes::exact_modes;
-use sextic_evaluators::section_matrices::SectionMatricesInputs;
+use sextic_evaluators::bounded::Bounded;
+use sextic_evaluators::exact_modes::{ExactModesInputs, Modes, exact_modes};
 
-use super::ball::Ball;
-use super::eigenvalue::{Spectrum, best_spectrum};
-use super::enclosure::error_bounds;
+use super::eigenvalue::{Eigenvalue, Spectrum};
 use super::error::StabilityError;
-use super::given::Given;
-use super::model::Model;
-use super::section::Section;
+use super::model::{Model, given_with_bounds};
+use super::section::{Parameters, Section};
 use super::state_matrix;
 
 /// The eigenvalues of a section, and how they were found.
@@ -54,45 +50,62 @@ impl fmt::Display for Fallback {
 ///
 /// No coefficient is a difference of nearly equal numbers (`derivations/exact-modes.md`), so that real parts
 /// are as exact as the damping is given, however small it is beside the frequencies, and with any detuning.
-/// The errors are bounded as those of the [state matrix](state_matrix::eigenvalues) are: they count the
-/// rounding of sines, cosines and the scaled damping matrix.
+/// The errors are the radii of the iteration, which count the rounding of sines, cosines and the scaled damping matrix.
 ///
-/// About 1,600 operations and three Taylor expansions; a shape of a mode is given by
-/// [`Mode::new`](super::tracking::Mode::new).
+/// About 1,600 operations; a shape of a mode is given by [`Mode::new`](super::tracking::Mode::new).
 ///
 /// # Errors
 ///
 /// Those of the [state matrix](state_matrix::eigenvalues), which stands in where a coordinate is held, with
 /// aerodynamic stiffness, or where the iteration has no radius; that is told as [`Fallback`].
 pub fn eigenvalues(model: &Model) -> Result<ExactModes, StabilityError> {
-    let (fallback, spectrum) = match iterated(model) {
+    let (fallback, spectrum) = match iterated(model.section()) {
         Ok(spectrum) => (None, spectrum),
         Err(fallback) => (Some(fallback), state_matrix::eigenvalues(model)?),
     };
     Ok(ExactModes { spectrum, fallback })
 }
 
-fn iterated(model: &Model) -> Result<Spectrum, Fallback> {
-    if !model.section().parameters().free.are_all() {
+fn iterated(section: &Section) -> Result<Spectrum, Fallback> {
+    let p = section.parameters();
+    if !p.free.are_all() {
         return Err(Fallback::Held);
     }
-    if model.section().parameters().aerodynamic_stiffness {
+    if p.aerodynamic_stiffness {
         return Err(Fallback::AerodynamicStiffness);
     }
-    let modes = exact_modes(&inputs(model.section()));
-    if !modes.radius.iter().all(|radius| radius.is_finite()) {
-        return Err(Fallback::NoRadius);
-    }
-    let unit = model.frequency_unit;
-    let value = |place: usize| Complex::new(modes.real[place], modes.frequency[place]) / unit;
-    let [a, b, c] = [0, 1, 2].map(value);
-    let values = vec![a, b, c, a.conj(), b.conj(), c.conj()];
-    let bounds = |values: &[_]| error_bounds(values, |point| model.taylor(Ball::exact(point)));
-    best_spectrum(once(values), bounds, unit).map_err(|_| Fallback::NoRadius)
+    let modes = exact_modes(&inputs(section));
+    let found = eigenvalues_of(&modes).ok_or(Fallback::NoRadius)?;
+    let pair = |own: Eigenvalue| {
+        let conjugate = own.value.conj();
+        [own.value, conjugate].map(|value| Eigenvalue { value, ..own })
+    };
+    Ok(Spectrum::new(found.into_iter().flat_map(pair).collect()))
 }
 
-/// What the evaluators of exact modes take, of a section.
-pub fn inputs(section: &Section) -> SectionMatricesInputs<f64> {
-    let given = Given::of(section.parameters());
-    given.section_matrices_inputs(&given.scaled_damping())
+/// One of each pair, with bounds of their errors; `None` without radii.
+pub(super) fn eigenvalues_of(modes: &Modes<f64>) -> Option<[Eigenvalue; 3]> {
+    let eigenvalue = |place: usize| {
+        let value = Complex::new(modes.real[place], modes.frequency[place]);
+        // The frequency is rounded besides, by half a unit in its last place.
+        let error = (modes.radius[place] + f64::EPSILON * value.im) * (1.0 + 2.0 * f64::EPSILON);
+        Eigenvalue { value, error }
+    };
+    let is_known = modes.radius.iter().all(|radius| radius.is_finite());
+    is_known.then(|| [0, 1, 2].map(eigenvalue))
+}
+
+/// What the evaluator of exact modes takes, of a section: with the rounding of sines, cosines and S_a.
+pub fn inputs(section: &Section) -> ExactModesInputs<f64> {
+    inputs_of(section.parameters())
+}
+
+/// The same of numbers that are known to be possible.
+pub(super) fn inputs_of(p: &Parameters) -> ExactModesInputs<f64> {
+    let given = given_with_bounds(p, 1.0);
+    let s_a = given.scaled_damping();
+    let largest = |own: &[Bounded]| own.iter().map(|own| own.error).fold(0.0, f64::max);
+    let values = s_a.map(|row| row.map(|own| own.value));
+    let open = [largest(&given.mass_centre), largest(s_a.as_flattened())];
+    given.map(|own| own.value).exact_modes_inputs(&values, open)
 }

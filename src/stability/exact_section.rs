@@ -3,7 +3,7 @@
 use dashu_base::BitTest;
 
 use crate::algebra::arithmetic::Arithmetic;
-use crate::algebra::budget::{Budget, Exhausted};
+use crate::algebra::budget::Budget;
 use crate::algebra::determinant::determinant;
 use crate::algebra::interval::{Intervals, KnownSign};
 use crate::algebra::matrix::Matrix;
@@ -14,7 +14,7 @@ use crate::algebra::univariate::Univariate;
 use super::equations::Equations;
 use super::error::StabilityError;
 use super::given::Given;
-use super::in_speed::{InSpeed, InSpeeds};
+use super::in_speed::{Coefficients, InSpeed, InSpeeds};
 use super::section::{Parameters, Section};
 use super::system::arithmetic::NoValue;
 
@@ -129,14 +129,14 @@ impl ExactSection {
     ///
     /// # Errors
     ///
-    /// If the sums of sines and cosines become too long.
-    pub(super) fn characteristic_polynomial(
+    /// If coefficients are exact: where the sums of sines and cosines become too long.
+    pub(super) fn characteristic_polynomial<C: Coefficients>(
         &self,
         speed_unit: &Rational,
-        sums: &TrigonometricSums,
-    ) -> Result<Vec<InSpeed>, NoValue> {
-        let own = self.equations(speed_unit, sums)?;
-        let in_speed = Univariate(sums);
+        coefficients: &C,
+    ) -> Result<Vec<InSpeed<C::Element>>, NoValue> {
+        let own = self.equations(speed_unit, coefficients)?;
+        let in_speed = Univariate(coefficients);
         let in_lambda = Univariate(&in_speed);
         let matrix = self.matrix(|i, j| {
             let stiffness = in_speed.sum(&own.stiffness[i][j], &own.aerodynamic_stiffness[i][j])?;
@@ -145,15 +145,16 @@ impl ExactSection {
                 &own.aerodynamic_damping[i][j],
             )?;
             Ok(in_lambda.polynomial(vec![stiffness, damping, own.mass[i][j].clone()]))
-        })?;
-        Ok(determinant(&matrix, &in_lambda)?)
+        });
+        let found = matrix.and_then(|matrix| determinant(&matrix, &in_lambda));
+        found.map_err(Into::into)
     }
 
     /// A matrix for the free coordinates by its entries for all three.
-    fn matrix<T: Clone>(
+    fn matrix<T: Clone, E>(
         &self,
-        entry: impl Fn(usize, usize) -> Result<T, Exhausted>,
-    ) -> Result<Matrix<T>, Exhausted> {
+        entry: impl Fn(usize, usize) -> Result<T, E>,
+    ) -> Result<Matrix<T>, E> {
         let free = self.0.free.as_slice();
         Matrix::try_from_fn(free.len(), free.len(), |row, column| {
             entry(free[row].index(), free[column].index())
@@ -161,30 +162,35 @@ impl ExactSection {
     }
 
     /// The matrices, with time in units of 1 over [the unit](Self::frequency_unit), in powers of U over `speed_unit`.
-    fn equations(
+    fn equations<C: Coefficients>(
         &self,
         speed_unit: &Rational,
-        sums: &TrigonometricSums,
-    ) -> Result<Equations<InSpeed>, NoValue> {
-        self.given(speed_unit, sums)
-            .equations_in(&mut InSpeeds(sums))
+        coefficients: &C,
+    ) -> Result<Equations<InSpeed<C::Element>>, NoValue> {
+        self.given(speed_unit, coefficients)
+            .equations_in(&mut InSpeeds(coefficients))
     }
 
-    fn given(&self, speed_unit: &Rational, sums: &TrigonometricSums) -> Given<InSpeed> {
+    fn given<C: Coefficients>(
+        &self,
+        speed_unit: &Rational,
+        coefficients: &C,
+    ) -> Given<InSpeed<C::Element>> {
         let unit = self.frequency_unit();
-        let constant = |own: Sum| InSpeeds(sums).constant(own);
+        let constant = |own: C::Element| InSpeeds(coefficients).constant(own);
         let direction = |angles: &[&Rational]| {
             let sum = angles
                 .iter()
                 .fold(Rational::ZERO, |sum, own| sum + (*own).clone());
-            [Sum::cosine(&sum), Sum::sine(&sum)].map(constant)
+            coefficients.direction(&sum).map(constant)
         };
-        let number = |own: &Rational| constant(Sum::from(own.clone()));
+        let number = |own: &Rational| constant(coefficients.number(own));
         let mut given = Given::new(&self.0, number, direction);
         let frequencies = self.0.natural_frequencies.each_ref();
         given.parameters.natural_frequencies = frequencies.map(|own| number(&(own / &unit)));
-        let speed = vec![Sum::default(), Sum::from(speed_unit / unit)];
-        given.parameters.wind_speed = Univariate(sums).polynomial(speed);
+        let speed = coefficients.number(&(speed_unit / unit));
+        let speed = vec![coefficients.zero(), speed];
+        given.parameters.wind_speed = Univariate(coefficients).polynomial(speed);
         given
     }
 }
@@ -296,7 +302,7 @@ mod tests {
             let exact = ExactSection::from(&section);
             let sums = TrigonometricSums::new(Budget::new(1_000_000));
             let unit = exact.frequency_unit().to_f64().value();
-            let bounds = given_with_bounds(&section, unit).equations().into_entries();
+            let bounds = given_with_bounds(section.parameters(), unit).equations().into_entries();
             let speed = exact.parameters().wind_speed.clone();
             let exact = exact.equations(&speed, &sums).expect("short sums").into_entries();
             let intervals = Intervals::new(100);

@@ -2,10 +2,13 @@
 //!
 //! Here, and nowhere else, the names of a section meet those of what was derived.
 
+use std::cell::RefCell;
+
 use sextic_evaluators::aerodynamic_damping::AerodynamicDampingInputs;
 use sextic_evaluators::characteristic_polynomial::CharacteristicPolynomialInputs;
 use sextic_evaluators::closed_form::ClosedFormInputs;
 use sextic_evaluators::damping_coefficient::{DampingCoefficientInputs, damping_coefficient};
+use sextic_evaluators::exact_modes::ExactModesInputs;
 use sextic_evaluators::no_wind_modes::NoWindModesInputs;
 use sextic_evaluators::section_matrices::SectionMatricesInputs;
 use sextic_evaluators::small_quantities::{
@@ -53,32 +56,60 @@ impl<T> Given<T> {
             parameters: self.parameters.map(&number),
         }
     }
+
+    /// Its numbers in one order for all sections, and the places that they have there.
+    pub fn flattened(&self) -> (Given<usize>, Vec<T>)
+    where
+        T: Clone,
+    {
+        let values = RefCell::new(Vec::new());
+        let places = self.map(|own| {
+            let mut values = values.borrow_mut();
+            values.push(own.clone());
+            values.len() - 1
+        });
+        (places, values.into_inner())
+    }
 }
 
 impl Parameters {
     /// As [`Section::damping_coefficient`], without a check of the parameters.
     pub fn damping_coefficient(&self, real_part: f64) -> Option<f64> {
-        let coefficient = damping_coefficient(&DampingCoefficientInputs {
-            m: self.mass,
-            rho: self.air_density,
-            D: self.reference_dimension,
-            U: self.wind_speed,
-            lamda_R: real_part,
-        });
+        let coefficient = damping_coefficient(&self.damping_coefficient_inputs(real_part));
         (self.wind_speed > 0.0 && coefficient.S.is_finite()).then_some(coefficient.S)
     }
 
     /// e = L_g/r and δ = ρDU/(2mω) with the frequency of the first free coordinate, without a check of the parameters.
     pub fn small_quantities(&self) -> SmallQuantitiesOutputs<f64> {
-        small_quantities(&SmallQuantitiesInputs {
-            r: self.radius_of_gyration,
-            L_g: self.mass_centre_distance,
+        let omega = self.natural_frequencies[self.free.as_slice()[0].index()];
+        small_quantities(&self.small_quantities_inputs(omega))
+    }
+}
+
+#[allow(non_snake_case)]
+impl<T: Copy> Parameters<T> {
+    /// With a real part.
+    pub(super) fn damping_coefficient_inputs(&self, lamda_R: T) -> DampingCoefficientInputs<T> {
+        DampingCoefficientInputs {
             m: self.mass,
-            omega_n: self.natural_frequencies[self.free.as_slice()[0].index()],
             rho: self.air_density,
             D: self.reference_dimension,
             U: self.wind_speed,
-        })
+            lamda_R,
+        }
+    }
+
+    /// With the frequency that small quantities are beside.
+    pub(super) fn small_quantities_inputs(&self, omega_n: T) -> SmallQuantitiesInputs<T> {
+        SmallQuantitiesInputs {
+            r: self.radius_of_gyration,
+            L_g: self.mass_centre_distance,
+            m: self.mass,
+            omega_n,
+            rho: self.air_density,
+            D: self.reference_dimension,
+            U: self.wind_speed,
+        }
     }
 }
 
@@ -125,6 +156,19 @@ impl<T: Copy> Given<T> {
             S_tx,
             S_ty,
             S_tt,
+        }
+    }
+
+    /// With S_a, and what is open of directions and of S_a.
+    pub fn exact_modes_inputs(
+        &self,
+        s_a: &Matrix<T>,
+        [direction_error, damping_error]: [T; 2],
+    ) -> ExactModesInputs<T> {
+        ExactModesInputs {
+            section: self.section_matrices_inputs(s_a),
+            direction_error,
+            damping_error,
         }
     }
 

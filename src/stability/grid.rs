@@ -1,18 +1,28 @@
 //! A case at all combinations of values of some of its quantities.
 
+use std::f64::consts::TAU;
+use std::ops::Range;
+
+use sextic_evaluators::exact_modes::Modes;
+
 use super::axis::Axis;
 use super::case::Case;
-use super::closed_form::{Estimate, closed_form_of};
+use super::closed_form::{Estimate, Estimated};
 use super::coefficient_table::CoefficientTable;
+use super::columns::{Columns, Row};
 use super::companion;
-use super::comparison::{NO_WIND, Value, modes_of};
+use super::comparison::{NO_WIND, Value, angle, modes_of};
 use super::coordinate::Coordinate;
+use super::eigenvalue::{damping_coefficient, largest_real_part};
+use super::exact_modes;
 use super::given::Given;
 use super::input::{InputError, Place};
 use super::interpolation::CoefficientCurves;
 use super::model::Model;
-use super::section::{Parameters, Section};
+use super::section::{Coefficients, Parameters, Section};
+use super::shape::free_shape;
 use super::state_matrix;
+use super::tracking::mostly;
 use super::uniform_form::uniform_form;
 use super::variable::Variable;
 
@@ -41,34 +51,96 @@ pub enum Rows {
     WorstAngles,
 }
 
-/// What the methods say at a point of a grid.
-#[derive(Clone, Debug, PartialEq)]
-pub struct GridPoint {
-    /// The values of the axes, in order; that of the angle, in degrees, last: NaN if none is the worst.
-    pub values: Vec<f64>,
-    /// S by the state matrix; `None` if it is not asked, or has no bounded answer.
-    pub exact: Option<Value>,
+/// What the methods say at points of a grid: a column a method, empty unless it is asked.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct GridRows {
+    /// The values of each axis, in order; those of the angle, in degrees, last: NaN if none is the worst.
+    pub values: Vec<Vec<f64>>,
+    /// S by the exact eigenvalues; `None` where they have no bounded answer.
+    pub exact: Vec<Option<Value>>,
     /// S by the companion matrix.
-    pub companion: Option<Value>,
+    pub companion: Vec<Option<Value>>,
     /// S by the closed forms (21)–(23).
-    pub closed: Estimate,
+    pub closed: Vec<Estimated>,
     /// S by the uniform form.
-    pub uniform: Estimate,
-    /// The frequency in Hz of the mode with the least damping, and the coordinate that moves most in it.
-    pub critical: Option<(f64, Coordinate)>,
+    pub uniform: Vec<Estimated>,
+    /// The frequency in Hz of the mode with the least damping, and the coordinate that moves most in it: asked for
+    /// with the exact eigenvalues.
+    pub critical: Vec<Option<(f64, Coordinate)>>,
 }
 
-/// A case at all combinations of the values of its axes, computed point by point: nothing of it is kept.
+impl GridRows {
+    /// Some of the rows.
+    fn only(&self, rows: &[usize]) -> Self {
+        GridRows {
+            values: self.values.iter().map(|own| only(own, rows)).collect(),
+            exact: only(&self.exact, rows),
+            companion: only(&self.companion, rows),
+            closed: only(&self.closed, rows),
+            uniform: only(&self.uniform, rows),
+            critical: only(&self.critical, rows),
+        }
+    }
+
+    /// S by the first method that is asked, of exact eigenvalues, companion matrix, uniform and closed forms;
+    /// infinite where it has no answer.
+    fn leading(&self) -> Vec<f64> {
+        let values =
+            |own: &[Option<Value>]| own.iter().map(|own| own.map(|own| own.value)).collect();
+        let estimates = |own: &[Estimated]| own.iter().map(|own| own.value).collect();
+        let columns: [Vec<Option<f64>>; 4] = [
+            values(&self.exact),
+            values(&self.companion),
+            estimates(&self.uniform),
+            estimates(&self.closed),
+        ];
+        let asked = columns.into_iter().find(|own| !own.is_empty());
+        let sizes = asked.into_iter().flatten();
+        sizes.map(|own| own.unwrap_or(f64::INFINITY)).collect()
+    }
+}
+
+/// Some entries of a column that may be empty.
+fn only<T: Copy>(column: &[T], rows: &[usize]) -> Vec<T> {
+    rows.iter()
+        .filter_map(|row| column.get(*row).copied())
+        .collect()
+}
+
+/// A case at all combinations of the values of its axes, computed as it is asked for: nothing of it is kept.
+///
+/// Points that follow each other differ in the value of one axis, the moving one. So the columns that depend on it
+/// are known once for all, and the others are the same at all of them.
 #[derive(Clone, Debug)]
 pub struct Grid<'a> {
     case: &'a Case,
     axes: Vec<Axis>,
+    /// The values of the axes as they are shown.
+    shown: Vec<Vec<f64>>,
     /// The case at each angle.
     angles: Vec<Given<f64>>,
-    /// Whether an axis turns the section or its aerodynamic centre.
+    /// What is open of its directions and of S_a there; `None` if that depends on an axis besides the angle.
+    open: Option<Vec<[f64; 2]>>,
+    /// Whether an axis besides the angle turns the section or its aerodynamic centre.
     turns: bool,
+    /// The place of the moving axis: the last one with several values.
+    moving: usize,
+    /// Its columns, at the first values of the others; `None` if another axis changes one of them, too.
+    moved: Option<Moved>,
     rows: Rows,
     methods: Methods,
+}
+
+/// The columns that depend on the moving axis, with a number for each of its values.
+#[derive(Clone, Debug)]
+struct Moved(Vec<Option<Vec<f64>>>);
+
+impl Moved {
+    /// The values of some points.
+    fn part(&self, points: Range<usize>) -> Vec<Option<&[f64]>> {
+        let columns = self.0.iter().map(Option::as_deref);
+        columns.map(|own| Some(&own?[points.clone()])).collect()
+    }
 }
 
 impl<'a> Grid<'a> {
@@ -122,18 +194,93 @@ impl<'a> Grid<'a> {
             let what = format!("the grid has more than {MOST_POINTS} points");
             return Err(wrong(what, "take fewer values, or sweep a part of it"));
         }
+        let shown = |own: &Axis| match own.variable.is_angle() {
+            true => own.values().iter().copied().map(angle).collect(),
+            false => own.values().to_vec(),
+        };
         let mut grid = Grid {
             case,
+            shown: axes.iter().map(shown).collect(),
             axes,
             angles: Vec::new(),
+            open: None,
             turns: false,
+            moving: 0,
+            moved: None,
             rows,
             methods,
         };
         grid.angles = grid.case_at_angles(table)?;
-        grid.turns = grid.turns();
         grid.check_corners()?;
+        grid.find_what_moves();
         Ok(grid)
+    }
+
+    /// Finds what depends on which axis.
+    fn find_what_moves(&mut self) {
+        let has_several = |own: &Axis| own.values().len() > 1;
+        let last = self.axes.len() - 1;
+        self.moving = self.axes.iter().rposition(has_several).unwrap_or(last);
+        let probes: Vec<Given<f64>> = (0..=last).map(|axis| self.probe(axis)).collect();
+        let others = &probes[..last];
+        let is_nan = |own: &[f64]| own.iter().any(|own| own.is_nan());
+        let turned = |own: &Given<f64>| [own.wind, own.mass_centre, own.aerodynamic_centre];
+        self.turns = others.iter().any(|own| is_nan(turned(own).as_flattened()));
+        let opened = |own: &Given<f64>| {
+            is_nan(&own.mass_centre) || is_nan(own.scaled_damping().as_flattened())
+        };
+        if self.methods.exact && !others.iter().any(opened) {
+            self.open = Some(
+                self.angles
+                    .iter()
+                    .map(|own| open(&own.parameters))
+                    .collect(),
+            );
+        }
+        self.moved = self.moved(&probes);
+    }
+
+    /// The case at the first values of all axes, with no number for this one.
+    fn probe(&self, place: usize) -> Given<f64> {
+        let nothing = f64::NAN;
+        let mut parameters = self.angles[0].parameters;
+        if self.axes[place].variable.is_angle() {
+            let nowhere = Coefficients::default().map(&|_: &f64| nothing);
+            parameters = self.case.parameters_at(nothing, nowhere);
+        }
+        for (other, axis) in self.axes.iter().enumerate() {
+            let value = if other == place {
+                nothing
+            } else {
+                axis.values()[0]
+            };
+            axis.variable.set(&mut parameters, value);
+        }
+        Given::of(&parameters)
+    }
+
+    /// The columns of the moving axis, unless another one changes one of them.
+    fn moved(&self, probes: &[Given<f64>]) -> Option<Moved> {
+        let moves = |own: &Given<f64>| -> Vec<bool> {
+            own.flattened().1.iter().map(|own| own.is_nan()).collect()
+        };
+        let moves: Vec<Vec<bool>> = probes.iter().map(moves).collect();
+        let is_moved = &moves[self.moving];
+        let mut others = moves
+            .iter()
+            .enumerate()
+            .filter(|(place, _)| *place != self.moving);
+        let is_shared =
+            |(_, other): (usize, &Vec<bool>)| is_moved.iter().zip(other).any(|(a, b)| *a && *b);
+        if others.any(is_shared) {
+            return None;
+        }
+        let count = self.axes[self.moving].values().len() as u64;
+        let rows: Vec<Row> = (0..count).map(|point| self.row_of(point)).collect();
+        let column = |(place, is_moved): (usize, &bool)| {
+            is_moved.then(|| rows.iter().map(|row| row[place]).collect())
+        };
+        Some(Moved(is_moved.iter().enumerate().map(column).collect()))
     }
 
     /// The case at all angles, which must be in the table.
@@ -148,18 +295,6 @@ impl<'a> Grid<'a> {
             Ok(Given::of(&self.case.parameters_at(angle, coefficients)))
         };
         angles.iter().map(at).collect()
-    }
-
-    /// Whether directions depend on an axis besides the angle.
-    fn turns(&self) -> bool {
-        let (_, others) = self.angles_and_others();
-        let mut moved = Parameters::default();
-        for axis in others {
-            axis.variable.set(&mut moved, f64::NAN);
-        }
-        let given = Given::of(&moved);
-        let directions = [given.wind, given.mass_centre, given.aerodynamic_centre];
-        directions.as_flattened().iter().any(|own| own.is_nan())
     }
 
     /// All corners are possible sections.
@@ -192,7 +327,10 @@ impl<'a> Grid<'a> {
                     "correct --vary or the case",
                 )
             };
-            let parameters = self.given(&corner, 0).parameters;
+            let mut parameters = self.angles[0].parameters;
+            for (axis, &value) in others.iter().zip(&corner) {
+                axis.variable.set(&mut parameters, value);
+            }
             Section::new(parameters).map_err(|error| refuse(&error.to_string()))?;
             if parameters.wind_speed == 0.0 {
                 return Err(refuse(NO_WIND));
@@ -221,10 +359,7 @@ impl<'a> Grid<'a> {
     /// How many rows there are.
     pub fn rows(&self) -> u64 {
         let (angles, others) = self.angles_and_others();
-        let combinations: u64 = others
-            .iter()
-            .map(|axis| axis.values().len() as u64)
-            .product();
+        let combinations = self.points_of(others);
         match self.rows {
             Rows::Points => combinations * angles.len() as u64,
             Rows::WorstAngles => combinations,
@@ -239,78 +374,99 @@ impl<'a> Grid<'a> {
         }
     }
 
-    /// The row with a number from 0; beyond the last one they begin again.
-    pub fn row(&self, number: u64) -> GridPoint {
+    /// The rows with these numbers from 0.
+    ///
+    /// Closed forms and exact eigenvalues run on several rows at once: about 40 and 500 operations a row.
+    pub fn rows_at(&self, rows: Range<u64>) -> GridRows {
+        let points = self.points_in_a_row();
+        let found = self.points(rows.start * points..rows.end * points);
         match self.rows {
-            Rows::Points => self.point(number),
-            Rows::WorstAngles => self.worst(number),
+            Rows::Points => found,
+            Rows::WorstAngles => worst(&found, points as usize),
         }
     }
 
-    /// The angle with the smallest S by one method for all of them: the first of state matrix, companion
-    /// matrix, uniform form and closed forms that is asked. No angle where it has no answer at any.
-    fn worst(&self, combination: u64) -> GridPoint {
-        let angles = self.angles_and_others().0.len() as u64;
-        let points = (0..angles).map(|angle| self.point(combination * angles + angle));
-        let size = |point: &GridPoint| {
-            let value = match self.methods {
-                Methods { exact: true, .. } => point.exact.map(|own| own.value),
-                Methods {
-                    companion: true, ..
-                } => point.companion.map(|own| own.value),
-                Methods { uniform: true, .. } => point.uniform.value,
-                _ => point.closed.value,
-            };
-            value.unwrap_or(f64::INFINITY)
-        };
-        let worse = |one: GridPoint, other: GridPoint| {
-            if size(&other) < size(&one) {
-                other
-            } else {
-                one
-            }
-        };
-        let mut worst = points.reduce(worse).unwrap_or_else(|| self.point(0));
-        if size(&worst) == f64::INFINITY {
-            worst.critical = None;
-            if let Some(angle) = worst.values.last_mut() {
-                *angle = f64::NAN;
-            }
-        }
-        worst
-    }
-
-    fn point(&self, number: u64) -> GridPoint {
-        let mut values = vec![0.0; self.axes.len()];
-        let mut rest = number;
-        for (value, axis) in values.iter_mut().zip(&self.axes).rev() {
-            let count = axis.values().len() as u64;
-            *value = axis.values()[(rest % count) as usize];
-            rest /= count;
-        }
-        let given = self.given(&values, (number % self.angles.len() as u64) as usize);
-        let mut point = GridPoint {
-            values,
-            exact: None,
-            companion: None,
-            closed: Estimate::default(),
-            uniform: Estimate::default(),
-            critical: None,
+    fn points(&self, points: Range<u64>) -> GridRows {
+        let columns = self.sections(points.clone());
+        let given = columns.given();
+        let mut space = None;
+        let s_a = given.scaled_damping_columns(&mut space);
+        let mut found = GridRows {
+            values: self.values(&points),
+            ..GridRows::default()
         };
         if self.methods.closed {
-            point.closed = Estimate::new(&given.parameters, closed_form_of(&given));
+            found.closed = given.closed_forms(&s_a);
         }
-        if self.methods.exact || self.methods.companion || self.methods.uniform {
-            self.answer(&given.parameters, &mut point);
+        if self.methods.exact {
+            let [direction, damping] = self.open(&points);
+            let modes = given.exact_modes(&s_a, [&direction, &damping]);
+            let rows = 0..given.rows();
+            (found.exact, found.critical) = rows
+                .map(|row| exact(&columns.row(row), modes.columns(), row))
+                .unzip();
         }
-        point
+        self.complete(&columns, &mut found);
+        found
     }
 
-    /// The case with these values, at the angle of this place.
-    fn given(&self, values: &[f64], angle: usize) -> Given<f64> {
-        let mut given = self.angles[angle];
-        for (axis, &value) in self.axes.iter().zip(values) {
+    /// The values of each axis.
+    fn values(&self, points: &Range<u64>) -> Vec<Vec<f64>> {
+        let mut stride = self.points_of(&self.axes);
+        let column = |values: &Vec<f64>| {
+            stride /= values.len() as u64;
+            repeated(values, stride, points)
+        };
+        self.shown.iter().map(column).collect()
+    }
+
+    /// At how many points some axes meet.
+    fn points_of(&self, axes: &[Axis]) -> u64 {
+        axes.iter().map(|axis| axis.values().len() as u64).product()
+    }
+
+    /// The sections of points.
+    fn sections(&self, points: Range<u64>) -> Columns {
+        let mut columns = Columns::like(&self.angles[0], (points.end - points.start) as usize);
+        let Some(moved) = &self.moved else {
+            for point in points {
+                let row = self.row_of(point);
+                columns.extend(&row, &vec![None; row.len()], 1);
+            }
+            return columns;
+        };
+        let count = self.axes[self.moving].values().len() as u64;
+        let mut next = points.start;
+        while next < points.end {
+            let first = next % count;
+            let end = points.end.min(next - first + count);
+            let part = first as usize..(end - next + first) as usize;
+            columns.extend(&self.row_of(next), &moved.part(part), (end - next) as usize);
+            next = end;
+        }
+        columns
+    }
+
+    /// What is open of directions, and of S_a.
+    fn open(&self, points: &Range<u64>) -> [Vec<f64>; 2] {
+        let angles = self.angles.len() as u64;
+        let open = |point: u64| match &self.open {
+            Some(known) => known[(point % angles) as usize],
+            None => open(&self.given(point).parameters),
+        };
+        let (directions, damping) = points.clone().map(|point| open(point).into()).unzip();
+        [directions, damping]
+    }
+
+    /// The section of a point.
+    fn given(&self, point: u64) -> Given<f64> {
+        let mut given = self.angles[(point % self.angles.len() as u64) as usize];
+        let mut rest = point;
+        for axis in self.axes.iter().rev() {
+            let count = axis.values().len() as u64;
+            let value = axis.values()[(rest % count) as usize];
             axis.variable.set(&mut given.parameters, value);
+            rest /= count;
         }
         match self.turns {
             true => Given::of(&given.parameters),
@@ -318,8 +474,31 @@ impl<'a> Grid<'a> {
         }
     }
 
-    /// What the methods say that take a model.
-    fn answer(&self, parameters: &Parameters, point: &mut GridPoint) {
+    fn row_of(&self, point: u64) -> Row {
+        self.given(point).flattened().1
+    }
+
+    /// What the methods say that take one section at a time, and the exact eigenvalues where the iteration has none.
+    fn complete(&self, columns: &Columns, found: &mut GridRows) {
+        let rows = columns.given().rows();
+        if self.methods.companion || self.methods.uniform {
+            (found.companion, found.uniform) = (vec![None; rows], vec![Estimated::default(); rows]);
+        }
+        for row in 0..rows {
+            let is_open = found.exact.get(row) == Some(&None);
+            if is_open || self.methods.companion || self.methods.uniform {
+                self.complete_row(&columns.row(row).parameters, row, found);
+            }
+        }
+        if !self.methods.companion {
+            found.companion.clear();
+        }
+        if !self.methods.uniform {
+            found.uniform.clear();
+        }
+    }
+
+    fn complete_row(&self, parameters: &Parameters, row: usize, found: &mut GridRows) {
         let model = Section::new(*parameters).and_then(|section| Model::new(&section));
         let Ok(model) = model else {
             return;
@@ -327,24 +506,117 @@ impl<'a> Grid<'a> {
         let section = model.section();
         let value = |(value, error)| Value { value, error };
         if self.methods.uniform {
-            point.uniform = Estimate::new(parameters, uniform_form(&model));
+            found.uniform[row] = Estimate::new(parameters, uniform_form(&model)).estimated();
         }
         if self.methods.companion {
             let spectrum = companion::eigenvalues(&model).ok();
-            point.companion = spectrum
-                .and_then(|own| own.damping_coefficient(section))
-                .map(value);
+            let coefficient = spectrum.and_then(|own| own.damping_coefficient(section));
+            found.companion[row] = coefficient.map(value);
         }
-        if !self.methods.exact {
+        if !self.methods.exact || found.exact[row].is_some() {
             return;
         }
         if let Ok(spectrum) = state_matrix::eigenvalues(&model) {
-            point.exact = spectrum.damping_coefficient(section).map(value);
+            found.exact[row] = spectrum.damping_coefficient(section).map(value);
             let modes = modes_of(&model, &spectrum)
                 .into_iter()
                 .map(|(mode, _)| mode);
             let critical = modes.max_by(|one, other| one.value.re.total_cmp(&other.value.re));
-            point.critical = critical.map(|mode| (mode.frequency(), mode.mostly(section)));
+            found.critical[row] = critical.map(|mode| (mode.frequency(), mode.mostly(section)));
         }
     }
+}
+
+/// What is open of the directions of a section, and of its S_a.
+fn open(parameters: &Parameters) -> [f64; 2] {
+    let inputs = exact_modes::inputs_of(parameters);
+    [inputs.direction_error, inputs.damping_error]
+}
+
+/// S by the exact modes of a row, and the mode with the least damping; `None` where they do not apply, or have no radii.
+fn exact(
+    given: &Given<f64>,
+    [
+        real_1,
+        real_2,
+        real_3,
+        frequency_1,
+        frequency_2,
+        frequency_3,
+        radius_1,
+        radius_2,
+        radius_3,
+    ]: [&[f64]; 9],
+    row: usize,
+) -> (Option<Value>, Option<(f64, Coordinate)>) {
+    let own = |columns: [&[f64]; 3]| columns.map(|own| own[row]);
+    let modes = Modes {
+        real: own([real_1, real_2, real_3]),
+        frequency: own([frequency_1, frequency_2, frequency_3]),
+        radius: own([radius_1, radius_2, radius_3]),
+    };
+    let p = &given.parameters;
+    let apply = p.free.are_all() && !p.aerodynamic_stiffness;
+    let Some(found) = exact_modes::eigenvalues_of(&modes).filter(|_| apply) else {
+        return (None, None);
+    };
+    let coefficient = damping_coefficient(p, largest_real_part(&found));
+    let critical = found.iter().map(|own| own.value);
+    let critical = critical.max_by(|one, other| one.re.total_cmp(&other.re));
+    (
+        coefficient.map(|(value, error)| Value { value, error }),
+        critical.map(|own| {
+            let shape = free_shape(given, own);
+            (own.im / TAU, mostly(p.free.as_slice(), &shape))
+        }),
+    )
+}
+
+/// Of each of several rows, as many as there are angles, that with the smallest S; no angle where no row has one.
+fn worst(found: &GridRows, angles: usize) -> GridRows {
+    let sizes = found.leading();
+    let smallest = |first: usize| {
+        let rows = first..first + angles;
+        let one = |one: usize, other: usize| {
+            if sizes[other] < sizes[one] {
+                other
+            } else {
+                one
+            }
+        };
+        rows.reduce(one).unwrap_or(first)
+    };
+    let rows: Vec<usize> = (0..sizes.len()).step_by(angles).map(smallest).collect();
+    let mut worst = found.only(&rows);
+    for (place, row) in rows.iter().enumerate() {
+        if sizes[*row] == f64::INFINITY {
+            if let Some(degrees) = worst.values.last_mut() {
+                degrees[place] = f64::NAN;
+            }
+            if let Some(critical) = worst.critical.get_mut(place) {
+                *critical = None;
+            }
+        }
+    }
+    worst
+}
+
+/// The values of an axis at points, of which so many have the same.
+fn repeated(values: &[f64], stride: u64, points: &Range<u64>) -> Vec<f64> {
+    let mut column = Vec::with_capacity((points.end - points.start) as usize);
+    let mut next = points.start;
+    while next < points.end {
+        let place = (next / stride) as usize % values.len();
+        let left = points.end - next;
+        next += if stride == 1 {
+            let count = (values.len() - place).min(left as usize);
+            column.extend_from_slice(&values[place..place + count]);
+            count as u64
+        } else {
+            let count = left.min(stride - next % stride);
+            column.resize(column.len() + count as usize, values[place]);
+            count
+        };
+    }
+    column
 }

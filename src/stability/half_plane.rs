@@ -107,7 +107,7 @@ fn is_one_zero(polynomial: &[Sum], sums: &TrigonometricSums) -> bool {
     if polynomial.len() > LARGEST_DETERMINANT + 1 {
         return false;
     }
-    let exact = hurwitz_determinants(polynomial, sums).unwrap_or_default();
+    let exact = hurwitz_determinants(polynomial, polynomial.len(), sums).unwrap_or_default();
     exact.iter().any(Sum::is_zero)
 }
 
@@ -177,7 +177,7 @@ fn roots_by_signs(
     let mut signs = routh_signs(polynomial, intervals);
     let is_cut = signs.len() < degree || signs.contains(&KnownSign::Unknown);
     if is_cut && degree <= LARGEST_DETERMINANT {
-        let Ok(determinants) = hurwitz_determinants(polynomial, intervals);
+        let Ok(determinants) = hurwitz_determinants(polynomial, degree, intervals);
         signs = determinants.iter().map(Interval::sign).collect();
     }
     let are_all = signs.len() == degree && signs.iter().all(|own| *own == KnownSign::Positive);

@@ -1,11 +1,11 @@
 //! Hurwitz' determinants over any exact numbers.
 
 use crate::algebra::arithmetic::Arithmetic;
-use crate::algebra::determinant::determinant;
+use crate::algebra::determinant::leading_minors;
 use crate::algebra::interval::{Interval, Intervals, KnownSign};
 use crate::algebra::matrix::Matrix;
 
-/// H_1 to H_n of a polynomial of degree n, given by its coefficients, that of λ⁰ first.
+/// The first `count` of H_1 to H_n of a polynomial of degree n, given by its coefficients, that of λ⁰ first.
 ///
 /// ```text
 /// H_k = |a_1 a_3 a_5 …; a_0 a_2 a_4 …; 0 a_1 a_3 …; …|, k×k, for a_0 λⁿ + a_1 λⁿ⁻¹ + … + a_n
@@ -13,13 +13,14 @@ use crate::algebra::matrix::Matrix;
 ///
 /// With a_0 > 0 all are positive exactly where every root has a negative real part (Hurwitz).
 ///
-/// Complexity: at most n·2ⁿ products.
+/// Complexity: at most n·2ⁿ⁻¹ products for all of them.
 ///
 /// # Errors
 ///
 /// Those of the arithmetic.
 pub(super) fn hurwitz_determinants<A: Arithmetic>(
     coefficients: &[A::Element],
+    count: usize,
     arithmetic: &A,
 ) -> Result<Vec<A::Element>, A::Error> {
     let degree = coefficients.len().saturating_sub(1);
@@ -28,9 +29,11 @@ pub(super) fn hurwitz_determinants<A: Arithmetic>(
         let power = place.and_then(|place| degree.checked_sub(place));
         power.map_or_else(|| arithmetic.zero(), |power| coefficients[power].clone())
     };
-    (1..=degree)
-        .map(|size| determinant(&Matrix::from_fn(size, size, entry), arithmetic))
-        .collect()
+    let count = count.min(degree);
+    if count == 0 {
+        return Ok(Vec::new());
+    }
+    leading_minors(&Matrix::from_fn(count, count, entry), arithmetic).collect()
 }
 
 /// The signs of H_1/H_0, H_2/H_1, …, H_n/H_{n−1} by Routh's scheme, up to the first that is not positive for certain;
@@ -89,7 +92,7 @@ mod tests {
             let intervals = Intervals::new(128);
             let polynomial: Vec<Interval> = lower.iter().chain([&1]).map(|own| intervals.rational(&Rational::from(*own))).collect();
             let signs = routh_signs(&polynomial, &intervals);
-            let Ok(determinants) = hurwitz_determinants(&polynomial, &intervals);
+            let Ok(determinants) = hurwitz_determinants(&polynomial, lower.len(), &intervals);
             for (place, sign) in signs.iter().enumerate() {
                 if *sign != KnownSign::Unknown {
                     prop_assert_eq!(*sign, determinants[place].sign());

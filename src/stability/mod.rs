@@ -2,6 +2,7 @@
 //!
 //! Every eigenvalue comes with a bound of its error, so that an answer is as good as it says.
 
+mod approximation;
 pub mod axis;
 mod ball;
 mod bernstein;
@@ -9,6 +10,7 @@ pub mod case;
 pub mod closed_form;
 pub mod closeness;
 pub mod coefficient_table;
+mod columns;
 pub mod companion;
 pub mod comparison;
 pub mod coordinate;
@@ -21,6 +23,7 @@ pub mod error;
 pub mod exact_modes;
 pub mod exact_section;
 pub mod forces;
+mod francis;
 mod given;
 pub mod grid;
 mod half_plane;
@@ -28,13 +31,13 @@ mod hurwitz;
 mod in_speed;
 pub mod input;
 pub mod interpolation;
+pub mod limitation;
 mod modal;
 pub mod model;
 mod neutral;
 pub mod offset;
 pub mod quantities;
 mod recorded;
-mod schur;
 pub mod section;
 pub mod sensitivity;
 mod shape;

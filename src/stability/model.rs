@@ -1,5 +1,7 @@
 //! The equations of motion of a section in doubles, with bounds of all rounding.
 
+use std::ops::{Add, Mul, Neg};
+
 use nalgebra::{DMatrix, Matrix3};
 use sextic_evaluators::bounded::Bounded;
 
@@ -9,7 +11,7 @@ use super::equations::Matrix;
 use super::error::StabilityError;
 use super::forces::Forces;
 use super::given::Given;
-use super::section::Section;
+use super::section::{Parameters, Section};
 
 /// The matrices of a section for its free coordinates, Eqs. (9), (12), (17) and (18): those of
 /// `derivations/exact-modes.md`, with the aerodynamic stiffness of `derivations/extensions.md`, section 3, where
@@ -43,7 +45,7 @@ impl Model {
         let free = section.free().iter().map(|free| free.index());
         let largest = free.map(|i| frequencies[i]).fold(0.0, f64::max);
         let unit = largest.log2().floor().exp2();
-        let own = given_with_bounds(section, unit)
+        let own = given_with_bounds(section.parameters(), unit)
             .equations()
             .map(|own| Ball::from(*own));
         let matrix = |own: &Matrix<Ball>| free_entries(own, section.free());
@@ -187,17 +189,11 @@ impl Model {
                 let unit = if i == j { Ball::ONE } else { Ball::ZERO };
                 return [unit, Ball::ZERO, Ball::ZERO];
             }
-            let (m, k_a) = (self.mass[i][j], self.aerodynamic_stiffness[i][j]);
+            let m = self.mass[i][j];
             let damping = self.structural_damping[i][j] + self.aerodynamic_damping[i][j];
-            let once = c * m + damping;
-            let constant = if i == j {
-                // Near an eigenvalue this loses nothing, but c² + ω² nearly all.
-                let natural = self.frequencies[i];
-                (c + -natural) * (c + natural) + (c * damping + k_a)
-            } else {
-                c * once + k_a
-            };
-            [constant, c * m + once, m]
+            let natural = (i == j).then_some(self.frequencies[i]);
+            let constant = impedance(c, m, damping, natural) + self.aerodynamic_stiffness[i][j];
+            [constant, c * m + (c * m + damping), m]
         };
         std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
     }
@@ -207,9 +203,20 @@ impl Model {
         determinant(&self.dynamic_stiffness(c))
     }
 
+    /// Whether the wind turns the section over, by the sign of |K + K_a|; `None` where rounding leaves it open.
+    ///
+    /// See [`ExactSection::diverges`](super::exact_section::ExactSection::diverges).
+    pub(super) fn diverges(&self) -> Option<bool> {
+        if !self.section.parameters().aerodynamic_stiffness {
+            return Some(false);
+        }
+        let Ball { centre, radius } = self.taylor(Ball::ZERO)[0];
+        (centre.re.abs() > radius).then_some(centre.re < 0.0)
+    }
+
     /// By what the scaled damping of each free coordinate grows with its damping ratio.
     pub(super) fn structural_damping_rates(&self) -> [Ball; 3] {
-        let mut given = given_with_bounds(&self.section, self.frequency_unit);
+        let mut given = given_with_bounds(self.section.parameters(), self.frequency_unit);
         // C_s is linear in the ratios, and does not know of the wind.
         given.parameters.damping_ratios = [Bounded::exact(1.0); 3];
         given.parameters.forces = Forces::ScaledDamping([[Bounded::exact(0.0); 3]; 3]);
@@ -247,9 +254,20 @@ impl Model {
     }
 }
 
+/// λ²m + λc, and on the diagonal (λ − iω)(λ + iω) + λc with the mass 1 and iω: near an eigenvalue this loses nothing,
+/// but λ² + ω² nearly all.
+pub(super) fn impedance<T>(lambda: T, mass: T, damping: T, natural: Option<T>) -> T
+where
+    T: Copy + Add<Output = T> + Mul<Output = T> + Neg<Output = T>,
+{
+    match natural {
+        Some(natural) => (lambda + -natural) * (lambda + natural) + lambda * damping,
+        None => lambda * (lambda * mass + damping),
+    }
+}
+
 /// A section in doubles with bounds, time being counted in units of 1/unit, a power of 2.
-pub(super) fn given_with_bounds(section: &Section, unit: f64) -> Given<Bounded> {
-    let p = section.parameters();
+pub(super) fn given_with_bounds(p: &Parameters, unit: f64) -> Given<Bounded> {
     let number = |own: &f64| Bounded::exact(*own);
     let mut given = Given::new(p, number, |angles| {
         let angles: Vec<f64> = angles.iter().copied().copied().collect();

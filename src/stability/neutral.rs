@@ -47,7 +47,8 @@ pub(super) fn without_pairs(
     Ok((polynomial, count))
 }
 
-fn enclosure(powers: &InSpeed, intervals: &Intervals) -> Vec<Interval> {
+/// Enclosures of the coefficients.
+pub(super) fn enclosure(powers: &InSpeed, intervals: &Intervals) -> InSpeed<Interval> {
     let enclosed = powers.iter().map(|own| intervals.enclosure(own));
     Univariate(intervals).polynomial(enclosed.collect())
 }

@@ -4,7 +4,8 @@ use nalgebra::{DMatrix, SVD};
 use num_complex::Complex;
 
 use super::ball::Ball;
-use super::model::Model;
+use super::given::Given;
+use super::model::{Model, impedance};
 
 /// A vector q with (λ²M + λC + K) q = 0: the shape of the motion of an eigenvalue λ, in x, y and rθ, its
 /// largest entry 1.
@@ -43,6 +44,21 @@ fn column_of_adjugate(matrix: &[[Complex<f64>; 3]; 3]) -> [Complex<f64>; 3] {
     let size = |column: &[Complex<f64>; 3]| column.iter().map(Complex::norm_sqr).sum::<f64>();
     columns.sort_by(|one, other| size(other).total_cmp(&size(one)));
     columns[0]
+}
+
+/// The shape of the motion of an eigenvalue that stands alone, of a section with all coordinates free and without
+/// aerodynamic stiffness.
+pub(super) fn free_shape(given: &Given<f64>, value: Complex<f64>) -> [Complex<f64>; 3] {
+    let own = given.equations();
+    let real = |own: f64| Complex::new(own, 0.0);
+    let natural = given.parameters.natural_frequencies;
+    let entry = |i: usize, j: usize| {
+        let damping = own.structural_damping[i][j] + own.aerodynamic_damping[i][j];
+        let natural = (i == j).then_some(Complex::new(0.0, natural[i]));
+        impedance(value, real(own.mass[i][j]), real(damping), natural)
+    };
+    let rows = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
+    column_of_adjugate(&rows)
 }
 
 /// The right singular vector of the `place`-th smallest singular value of the first n rows and columns.

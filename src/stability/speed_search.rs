@@ -73,20 +73,15 @@ const MOST_HALVED: usize = 20_000;
 /// The parts by the determinants H_1 to H_{n−1} of a polynomial of degree n, and the determinant of the stiffness,
 /// which has the sign of the constant coefficient: H_n has the sign of its product with H_{n−1}.
 pub(super) fn parts(
-    polynomial: &[InSpeed],
-    stiffness: &InSpeed,
+    polynomial: &[InSpeed<Interval>],
+    stiffness: &InSpeed<Interval>,
     intervals: &Intervals,
 ) -> Vec<Part> {
     let in_speed = Univariate(intervals);
-    let enclosed = |powers: &InSpeed| -> Vec<Interval> {
-        in_speed.polynomial(powers.iter().map(|own| intervals.enclosure(own)).collect())
-    };
-    let coefficients: Vec<Vec<Interval>> = polynomial.iter().map(enclosed).collect();
-    let Ok(mut determinants) = hurwitz_determinants(&coefficients, &in_speed);
-    determinants.pop();
-    let stiffness = enclosed(stiffness);
+    let count = polynomial.len().saturating_sub(2);
+    let Ok(determinants) = hurwitz_determinants(polynomial, count, &in_speed);
     let forms = Forms {
-        stiffness: Bernstein::new(&stiffness, intervals),
+        stiffness: Bernstein::new(stiffness, intervals),
         determinants: determinants
             .iter()
             .map(|own| Bernstein::new(own, intervals))
@@ -110,8 +105,8 @@ pub(super) fn parts(
                 let Ok(value) = in_speed.value(powers, &speeds);
                 value
             };
-            if at(&stiffness).sign() == KnownSign::Positive {
-                let polynomial: Vec<Interval> = coefficients.iter().map(at).collect();
+            if at(stiffness).sign() == KnownSign::Positive {
+                let polynomial: Vec<Interval> = polynomial.iter().map(at).collect();
                 part.found = Found::Certain(beside_the_axis(&polynomial, intervals));
             }
         }
@@ -127,7 +122,7 @@ fn beside_the_axis(polynomial: &[Interval], intervals: &Intervals) -> Stability 
     let in_lambda = Univariate(intervals);
     let signs = |line: &Rational| -> Vec<KnownSign> {
         let Ok(shifted) = in_lambda.shifted(polynomial, &intervals.rational(line));
-        let Ok(determinants) = hurwitz_determinants(&shifted, intervals);
+        let Ok(determinants) = hurwitz_determinants(&shifted, shifted.len(), intervals);
         determinants.iter().map(Interval::sign).collect()
     };
     for power in LINES {

@@ -2,12 +2,12 @@
 
 use num_complex::Complex;
 
+use super::approximation::approximate_eigenvalues;
 use super::ball::Ball;
 use super::eigenvalue::{Spectrum, best_spectrum};
 use super::enclosure::error_bounds;
 use super::error::StabilityError;
 use super::model::Model;
-use super::schur::approximate_eigenvalues;
 
 /// The eigenvalues of the state matrix, Eq. (16).
 ///

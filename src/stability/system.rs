@@ -7,7 +7,6 @@ mod disc;
 mod entries;
 pub mod error;
 mod gaussian;
-mod hessenberg;
 pub mod instance;
 mod jet;
 #[cfg(test)]
@@ -42,3 +41,6 @@ pub struct System {
 
 /// How many coordinates a system may have.
 pub const MOST_COORDINATES: usize = 8;
+
+/// The most rows of a state matrix.
+pub(super) const MOST_ROWS: usize = 2 * MOST_COORDINATES;

@@ -41,10 +41,15 @@ impl Mode {
 
     /// The coordinate with the largest part of the motion, rθ counting as a length.
     pub fn mostly(&self, section: &Section) -> Coordinate {
-        let parts = section.free().iter().zip(&self.shape);
-        let largest = parts.max_by(|one, other| one.1.norm_sqr().total_cmp(&other.1.norm_sqr()));
-        largest.map_or(section.free()[0], |(coordinate, _)| *coordinate)
+        mostly(section.free(), &self.shape)
     }
+}
+
+/// The coordinate with the largest part of a motion of the free ones.
+pub(super) fn mostly(free: &[Coordinate], shape: &[Complex<f64>]) -> Coordinate {
+    let parts = free.iter().zip(shape);
+    let largest = parts.max_by(|one, other| one.1.norm_sqr().total_cmp(&other.1.norm_sqr()));
+    largest.map_or(free[0], |(coordinate, _)| *coordinate)
 }
 
 /// The place of an eigenvalue among those that coincide with it.

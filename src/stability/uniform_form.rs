@@ -4,8 +4,9 @@ use nalgebra::Matrix3;
 use num_complex::Complex;
 use sextic_evaluators::uniform_cubic::{UniformCubicInputs, uniform_cubic};
 
-use super::closed_form::{ClosedForm, Limitation, STRONG};
+use super::closed_form::ClosedForm;
 use super::cubic;
+use super::limitation::{Limitation, STRONG};
 use super::modal::Modal;
 use super::model::Model;
 

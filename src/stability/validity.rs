@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::case::Case;
-use super::closed_form::{ClosedForm, Limitation, closed_form};
+use super::closed_form::{ClosedForm, closed_form};
 use super::coefficient_table::CoefficientTable;
 use super::comparison::NO_WIND;
 use super::eigenvalue::Spectrum;
@@ -11,6 +11,7 @@ use super::error::StabilityError;
 use super::exact_modes;
 use super::input::{InputError, Place};
 use super::interpolation::CoefficientCurves;
+use super::limitation::Limitation;
 use super::model::Model;
 use super::section::{Coefficients, Parameters, Section};
 use super::uniform_form::{Order, uniform_form_of};

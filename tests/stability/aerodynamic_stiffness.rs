@@ -1,7 +1,7 @@
 //! Aerodynamic stiffness, against differences of the forces, a state matrix written out, and by hand.
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
-use sextic::stability::closed_form::{Limitation, closed_form};
+use sextic::stability::closed_form::closed_form;
 use sextic::stability::coordinate::{Coordinate, FreeCoordinates};
 use sextic::stability::critical_speed::{CriticalSpeed, Stability, speeds};
 use sextic::stability::error::StabilityError;
@@ -9,6 +9,7 @@ use sextic::stability::exact_modes::{self, Fallback};
 use sextic::stability::exact_section::ExactSection;
 use sextic::stability::forces::Forces;
 use sextic::stability::interpolation::CoefficientCurves;
+use sextic::stability::limitation::Limitation;
 use sextic::stability::model::Model;
 use sextic::stability::section::{Coefficients, Parameters, Section};
 use sextic::stability::validity::validity;

@@ -1,7 +1,8 @@
 //! The closed forms against the eigenvalues, and where they do not apply.
 
-use sextic::stability::closed_form::{Limitation, closed_form};
+use sextic::stability::closed_form::closed_form;
 use sextic::stability::coordinate::{Coordinate, FreeCoordinates};
+use sextic::stability::limitation::Limitation;
 use sextic::stability::model::Model;
 use sextic::stability::section::{Parameters, Section};
 use sextic::stability::state_matrix;

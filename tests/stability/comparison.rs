@@ -5,9 +5,9 @@ use std::path::Path;
 
 use sextic::report::gallery;
 use sextic::report::{csv, stability_figure, text};
-use sextic::stability::closed_form::Limitation;
 use sextic::stability::comparison::{Comparison, Method, Reason, compare};
 use sextic::stability::interpolation::CoefficientCurves;
+use sextic::stability::limitation::Limitation;
 use sextic::stability::offset::against_offset;
 
 use super::cases::{read, shipped_case, snapshots};

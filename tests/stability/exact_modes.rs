@@ -7,11 +7,11 @@ use sextic::stability::section::{Parameters, Section};
 use sextic::stability::state_matrix;
 use sextic::stability::tracking::Mode as Shape;
 use sextic_evaluators::dispatch::{Level, Mode};
-use sextic_evaluators::exact_modes::{Modes, exact_modes};
+use sextic_evaluators::exact_modes::{ExactModesInputs, Modes, exact_modes};
 use sextic_evaluators::exact_modes_batch::{
-    ModesSlicesMut, exact_modes_batch, exact_modes_batch_at,
+    ExactModesSlices, ModesSlicesMut, exact_modes_batch, exact_modes_batch_at,
 };
-use sextic_evaluators::section_matrices::{SectionMatricesInputs, SectionMatricesSlices};
+use sextic_evaluators::section_matrices::SectionMatricesInputs;
 
 use super::oracle::{Long, characteristic_polynomial, roots, roots_near};
 use super::sections::{KINDS, Numbers, hard_section, section};
@@ -79,15 +79,27 @@ macro_rules! quantities {
     ($($name:ident)*) => {
         /// The quantities of many sections.
         #[allow(non_snake_case)]
-        struct Columns { $($name: Vec<f64>),* }
+        struct Columns {
+            $($name: Vec<f64>,)*
+            direction_error: Vec<f64>,
+            damping_error: Vec<f64>,
+        }
 
         impl Columns {
-            fn of(sections: &[SectionMatricesInputs<f64>]) -> Self {
-                Columns { $($name: sections.iter().map(|own| own.$name).collect()),* }
+            fn of(inputs: &[ExactModesInputs<f64>]) -> Self {
+                Columns {
+                    $($name: inputs.iter().map(|own| own.section.$name).collect(),)*
+                    direction_error: inputs.iter().map(|own| own.direction_error).collect(),
+                    damping_error: inputs.iter().map(|own| own.damping_error).collect(),
+                }
             }
 
-            fn slices(&self) -> SectionMatricesSlices<'_> {
-                SectionMatricesSlices { $($name: &self.$name),* }
+            fn slices(&self) -> ExactModesSlices<'_> {
+                ExactModesSlices {
+                    section: SectionMatricesInputs { $($name: &self.$name),* },
+                    direction_error: &self.direction_error,
+                    damping_error: &self.damping_error,
+                }
             }
         }
     };
@@ -99,7 +111,7 @@ quantities! {
 }
 
 #[allow(non_snake_case)]
-fn inputs(p: &Parameters) -> SectionMatricesInputs<f64> {
+fn inputs(p: &Parameters) -> ExactModesInputs<f64> {
     let Forces::ScaledDamping([[S_xx, S_xy, S_xt], [S_yx, S_yy, S_yt], [S_tx, S_ty, S_tt]]) =
         p.forces
     else {
@@ -108,7 +120,7 @@ fn inputs(p: &Parameters) -> SectionMatricesInputs<f64> {
     let angle = p.mass_centre_angle + p.attitude;
     let [omega_x, omega_y, omega_theta] = p.natural_frequencies;
     let [zeta_x, zeta_y, zeta_theta] = p.damping_ratios;
-    SectionMatricesInputs {
+    let section = SectionMatricesInputs {
         m: p.mass,
         r: p.radius_of_gyration,
         L_g: p.mass_centre_distance,
@@ -132,11 +144,16 @@ fn inputs(p: &Parameters) -> SectionMatricesInputs<f64> {
         S_tx,
         S_ty,
         S_tt,
+    };
+    ExactModesInputs {
+        section,
+        direction_error: 0.0,
+        damping_error: 0.0,
     }
 }
 
 /// All sections in one batch.
-fn batch(level: Level, mode: Mode, sections: &[SectionMatricesInputs<f64>]) -> Vec<Modes<f64>> {
+fn batch(level: Level, mode: Mode, sections: &[ExactModesInputs<f64>]) -> Vec<Modes<f64>> {
     let columns = Columns::of(sections);
     let mut results = vec![vec![f64::NAN; sections.len()]; 9];
     let [a, b, c, d, e, f, g, h, i] = &mut results[..] else {
@@ -244,6 +261,53 @@ fn no_radius_fails_at_any_level() {
         unknown += missing;
     }
     println!("distance/radius at most {worst:.3}, {unknown} without radius");
+}
+
+/// What a section may be whose directions and S_a are open.
+fn meant(p: &Parameters, direction: f64, damping: f64, numbers: &mut Numbers) -> Parameters {
+    let Forces::ScaledDamping(s_a) = p.forces else {
+        panic!("S_a is given");
+    };
+    // An end is worse than what is between.
+    let mut open = |most: f64| {
+        let shares = [-1.0, 1.0, numbers.between(-1.0, 1.0)];
+        most * numbers.one_of(&shares)
+    };
+    Parameters {
+        mass_centre_angle: p.mass_centre_angle + open(direction),
+        forces: Forces::ScaledDamping(s_a.map(|row| row.map(|own| own + open(damping)))),
+        ..*p
+    }
+}
+
+#[test]
+fn discs_hold_the_modes_of_all_sections_that_may_be_meant() {
+    let (mut worst, mut known) = (0.0_f64, 0);
+    for kind in kinds() {
+        let mut numbers = Numbers::new(47);
+        for _ in 0..40 {
+            let p = given(kind, &mut numbers);
+            let direction = numbers.scale(1e-15, 0.9e-8);
+            let damping = numbers.scale(1e-15, 1e-6);
+            let modes = exact_modes(&ExactModesInputs {
+                direction_error: direction,
+                damping_error: damping,
+                ..inputs(&p)
+            });
+            if !is_known(&modes) {
+                continue;
+            }
+            known += 1;
+            for _ in 0..4 {
+                let meant = meant(&p, direction, damping, &mut numbers);
+                let ratio = worst_ratio(&modes, &exact_eigenvalues(&meant, &modes));
+                assert!(ratio <= 1.0, "{kind}: {ratio} {modes:?} {p:?} {meant:?}");
+                worst = worst.max(ratio);
+            }
+        }
+    }
+    println!("distance/radius at most {worst:.3} of {known}");
+    assert!(known > 150 && worst > 0.01, "{known} {worst}");
 }
 
 #[test]
@@ -428,7 +492,7 @@ fn what_is_absurd_has_no_radius_and_spoils_nothing() {
         .iter()
         .map(|(_, change, _)| {
             let mut own = usual;
-            change(&mut own);
+            change(&mut own.section);
             own
         })
         .collect();
@@ -468,7 +532,7 @@ fn slices_of_other_lengths_are_refused() {
         "the slice frequency has 2 values where 1 are needed"
     );
     let mut slices = columns.slices();
-    slices.S_tt = &[];
+    slices.section.S_tt = &[];
     let refused = exact_modes_batch(&slices, &mut modes, Mode::Strict);
     assert_eq!(refused.expect_err("no S_tt").name, "S_tt");
     assert_eq!(results, [[7.0; 2]; 9]);

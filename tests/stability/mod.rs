@@ -8,6 +8,7 @@ mod critical_speeds;
 mod eigenvalues;
 mod error_table;
 mod exact_modes;
+mod grid;
 mod interpolation;
 mod oracle;
 mod sections;

@@ -1,7 +1,8 @@
 //! The uniform form against the eigenvalues: at every eccentricity, tuned or not, damped or not.
 
-use sextic::stability::closed_form::{ClosedForm, Limitation, closed_form};
+use sextic::stability::closed_form::{ClosedForm, closed_form};
 use sextic::stability::coordinate::{Coordinate, FreeCoordinates};
+use sextic::stability::limitation::Limitation;
 use sextic::stability::model::Model;
 use sextic::stability::section::{Parameters, Section};
 use sextic::stability::state_matrix;

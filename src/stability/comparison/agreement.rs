@@ -6,7 +6,8 @@ use std::mem::discriminant;
 
 use super::point::{Point, Value};
 use super::range::{AngleRange, ranges};
-use crate::stability::closed_form::{Estimate, Limitation};
+use crate::stability::closed_form::Estimate;
+use crate::stability::limitation::Limitation;
 
 /// A method other than the state matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

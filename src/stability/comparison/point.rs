@@ -7,11 +7,11 @@ use crate::stability::companion;
 use crate::stability::coordinate::Coordinate;
 use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
 use crate::stability::error::StabilityError;
+use crate::stability::exact_modes;
 use crate::stability::exact_section::ExactSection;
 use crate::stability::model::Model;
 use crate::stability::section::Section;
 use crate::stability::sensitivity::weakened_by;
-use crate::stability::state_matrix;
 use crate::stability::tracking::{Mode, Place, follow, places};
 use crate::stability::uniform_form::uniform_form;
 use crate::stability::verdict::{Verdict, verdict};
@@ -43,7 +43,7 @@ pub struct FollowedMode {
 pub struct Point {
     /// α, in degrees.
     pub angle: f64,
-    /// S by the state matrix.
+    /// S by the exact eigenvalues: those of the state matrix, which the exact modes find where they can.
     pub exact: Value,
     /// Whether the section is stable, with proof.
     pub verdict: Verdict,
@@ -98,7 +98,7 @@ pub(in crate::stability) struct Answers {
 impl Answers {
     pub(in crate::stability) fn new(section: &Section) -> Result<Self, StabilityError> {
         let model = Model::new(section)?;
-        let spectrum = state_matrix::eigenvalues(&model)?;
+        let spectrum = exact_modes::eigenvalues(&model)?.spectrum;
         let value = |spectrum: &Spectrum| {
             let (value, error) = spectrum.damping_coefficient(section)?;
             Some(Value { value, error })
@@ -113,7 +113,7 @@ impl Answers {
         Ok(Answers {
             exact,
             verdict: verdict(section, &spectrum),
-            diverges: ExactSection::from(section).diverges(),
+            diverges: (model.diverges()).unwrap_or_else(|| ExactSection::from(section).diverges()),
             companion: companion.as_ref().and_then(value),
             closed,
             uniform,

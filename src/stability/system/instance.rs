@@ -13,26 +13,26 @@ use crate::algebra::interval::{Interval, Intervals, KnownSign};
 use crate::algebra::matrix::Matrix;
 use crate::algebra::number::Rational;
 use crate::algebra::trigonometric_sum::{TrigonometricSum as Sum, TrigonometricSums};
+use crate::stability::approximation::approximate_eigenvalues;
 use crate::stability::companion::companion_matrix;
 use crate::stability::eigenvalue::{Eigenvalue, GOOD, Spectrum};
 use crate::stability::enclosure::error_bounds;
+use crate::stability::francis;
 use crate::stability::half_plane::{MOST_PRODUCTS, Roots, roots_of_enclosed, roots_without_pairs};
-use crate::stability::schur::approximate_eigenvalues;
 use crate::stability::verdict::{Doubt, LONGEST_POLYNOMIAL, Verdict, verdict_by_errors};
 
-use super::System;
 use super::arithmetic::{Enclosures, NoValue, Sums, ball, rational};
 use super::block::{Block, blocks};
 use super::disc::{Enclosed, discs};
 use super::entries::{Entries, Matrices, check};
 use super::error::SystemError;
-use super::hessenberg::{self, eigenvalues};
 use super::parameter::{Parameters, chosen, names};
 use super::pencil::Pencil;
 use super::polynomial::{characteristic_polynomial, taylor};
 use super::real::Real;
 use super::state::state_matrix;
 use super::vector::{Vector, shape, with_largest_one};
+use super::{MOST_ROWS, System};
 
 /// The digits with which matrices are enclosed: more where fewer leave an entry open.
 const DIGITS: [usize; 3] = [256, 1024, 4096];
@@ -343,12 +343,10 @@ impl Instance<'_> {
     /// Those of a block, by discs where they are good, else by the polynomial.
     fn block_eigenvalues(&self, block: &Block, pencil: &Pencil) -> Option<Vec<Enclosed>> {
         let matrix = state_matrix(pencil)?;
-        let quick =
-            eigenvalues(2 * pencil.size, &matrix).map(|own| own[..2 * pencil.size].to_vec());
-        let slow = dense(pencil.size, &matrix);
+        let matrix = dense(pencil.size, &matrix);
         let mut best: Option<(f64, Vec<Enclosed>)> = None;
         let mut values = None;
-        for approximate in quick.into_iter().chain(approximate_eigenvalues(&slow)) {
+        for approximate in approximate_eigenvalues(&matrix) {
             let found = discs(pencil, &approximate).map(|own| own.eigenvalues());
             values.get_or_insert(approximate);
             take_better(&mut best, found);
@@ -657,6 +655,6 @@ fn in_units(own: &Enclosed, unit: f64) -> Eigenvalue {
     }
 }
 
-fn dense(n: usize, matrix: &hessenberg::Matrix) -> DMatrix<f64> {
+fn dense(n: usize, matrix: &francis::Matrix<MOST_ROWS>) -> DMatrix<f64> {
     DMatrix::from_fn(2 * n, 2 * n, |row, column| matrix[row][column])
 }

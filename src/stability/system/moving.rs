@@ -15,7 +15,6 @@ use num_complex::Complex;
 use super::MOST_COORDINATES;
 use super::arithmetic::Reals;
 use super::entries::Matrices;
-use super::hessenberg::eigenvalues;
 use super::jet::{Jet, Jets};
 use super::linear_equations::Factors;
 use super::pencil::Pencil;
@@ -23,6 +22,7 @@ use super::polynomial::characteristic_polynomial;
 use super::real::Real;
 use super::state::{state_matrix, stiffness_over_mass};
 use super::vector::{Vector, shape};
+use crate::stability::francis::eigenvalues;
 
 /// 2n at most.
 const MOST: usize = 2 * MOST_COORDINATES;

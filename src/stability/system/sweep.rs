@@ -18,11 +18,11 @@ use super::arithmetic::{NoValue, ball, nearest};
 use super::disc::discs;
 use super::entries::check;
 use super::error::SystemError;
-use super::hessenberg::eigenvalues;
 use super::parameter::{Parameters, chosen, names};
 use super::pencil::Pencil;
 use super::real::Real;
 use super::state::state_matrix;
+use crate::stability::francis::eigenvalues;
 
 /// A parameter and its values, in order.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,13 +5,8 @@
 
 use num_complex::Complex;
 
-use super::MOST_COORDINATES;
-
-/// 2n at most.
-const MOST: usize = 2 * MOST_COORDINATES;
-
 /// A square matrix of which the first rows and columns count.
-pub(super) type Matrix = [[f64; MOST]; MOST];
+pub(super) type Matrix<const N: usize> = [[f64; N]; N];
 
 /// The most double steps for one block.
 const MOST_STEPS: usize = 30;
@@ -20,11 +15,14 @@ const MOST_STEPS: usize = 30;
 /// imaginary part first; `None` if they do not come apart.
 ///
 /// Complexity: some 10 n³ operations, at most 60 n³.
-pub(super) fn eigenvalues(size: usize, matrix: &Matrix) -> Option<[Complex<f64>; MOST]> {
+pub(super) fn eigenvalues<const N: usize>(
+    size: usize,
+    matrix: &Matrix<N>,
+) -> Option<[Complex<f64>; N]> {
     let mut own = Francis {
         rows: *matrix,
         shift: 0.0,
-        values: [Complex::ZERO; MOST],
+        values: [Complex::ZERO; N],
     };
     own.reduce(size);
     let norm: f64 = own.rows[..size]
@@ -57,14 +55,14 @@ pub(super) fn eigenvalues(size: usize, matrix: &Matrix) -> Option<[Complex<f64>;
 }
 
 /// A matrix while it comes apart.
-struct Francis {
-    rows: Matrix,
+struct Francis<const N: usize> {
+    rows: Matrix<N>,
     /// What was subtracted from the diagonal.
     shift: f64,
-    values: [Complex<f64>; MOST],
+    values: [Complex<f64>; N],
 }
 
-impl Francis {
+impl<const N: usize> Francis<N> {
     /// To Hessenberg form, by elimination with pivots.
     fn reduce(&mut self, size: usize) {
         for step in 1..size.saturating_sub(1) {
@@ -80,7 +78,7 @@ impl Francis {
             if own[step - 1] == 0.0 {
                 continue;
             }
-            let mut factors = [0.0; MOST];
+            let mut factors = [0.0; N];
             for (row, factor) in self.rows[..size]
                 .iter_mut()
                 .zip(&mut factors)
@@ -253,10 +251,12 @@ impl Francis {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    const MOST: usize = 16;
     use proptest::prelude::*;
 
     /// |A − λI| by elimination.
-    fn determinant(size: usize, matrix: &Matrix, value: Complex<f64>) -> Complex<f64> {
+    fn determinant(size: usize, matrix: &Matrix<MOST>, value: Complex<f64>) -> Complex<f64> {
         let mut rows = matrix.map(|row| row.map(|own| Complex::new(own, 0.0)));
         let mut product = Complex::ONE;
         (0..size).for_each(|step| rows[step][step] -= value);
@@ -281,7 +281,7 @@ mod tests {
         fn the_characteristic_polynomial_has_these_roots(
             entries in prop::collection::vec(-1.0..1.0f64, MOST * MOST), size in 1..=MOST, zeros in 0_usize..4,
         ) {
-            let mut matrix: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| entries[i * MOST + j]));
+            let mut matrix: Matrix<MOST> = std::array::from_fn(|i| std::array::from_fn(|j| entries[i * MOST + j]));
             (0..zeros * size).for_each(|place| matrix[(place * 7) % size][(place * 5) % size] = 0.0);
             let values = eigenvalues(size, &matrix).unwrap();
             for at in [Complex::new(3.0, 1.0), Complex::new(-2.5, 0.0), Complex::new(0.0, 4.0)] {

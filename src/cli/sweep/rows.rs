@@ -1,0 +1,112 @@
+//! The rows of a sweep, block by block.
+
+use std::io;
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
+use rayon::prelude::*;
+
+use crate::report::columns::{Column, of_grid, of_system};
+use crate::stability::grid::Grid;
+use crate::stability::system::sweep::Sweep;
+
+/// About so many points are computed by one core at a time.
+const AT_ONCE: u64 = 1024;
+
+/// The fewest rows of a block, so that all cores have some.
+const FEWEST_ROWS: u64 = 64;
+
+/// Whether the user wants to stop.
+static IS_INTERRUPTED: AtomicBool = AtomicBool::new(false);
+
+/// Lets an interruption be told to [`compute`], where signals can be caught; elsewhere it is silent.
+pub(super) fn await_interruption() {
+    let _ = ctrlc::set_handler(|| IS_INTERRUPTED.store(true, Ordering::Relaxed));
+}
+
+/// Rows that are computed one after the other, each by its number alone.
+pub(super) trait Table: Sync {
+    /// How many rows there are.
+    fn count(&self) -> u64;
+    /// How many points it takes to compute one.
+    fn points_in_a_row(&self) -> u64;
+    /// Some rows in columns; of no rows there are the headings.
+    fn columns(&self, rows: Range<u64>) -> Vec<Column>;
+}
+
+impl Table for Grid<'_> {
+    fn count(&self) -> u64 {
+        self.rows()
+    }
+
+    fn points_in_a_row(&self) -> u64 {
+        Grid::points_in_a_row(self)
+    }
+
+    fn columns(&self, rows: Range<u64>) -> Vec<Column> {
+        of_grid(self, rows)
+    }
+}
+
+impl Table for Sweep<'_> {
+    fn count(&self) -> u64 {
+        self.len() as u64
+    }
+
+    fn points_in_a_row(&self) -> u64 {
+        1
+    }
+
+    fn columns(&self, rows: Range<u64>) -> Vec<Column> {
+        of_system(self, rows)
+    }
+}
+
+/// Computes the rows from one on, and writes them in order, until there is nobody who reads them.
+///
+/// A block takes about so many points; `form` is what all cores make of the columns of its parts.
+///
+/// # Errors
+///
+/// Those of `write`; [`io::ErrorKind::Interrupted`] if the user wants to stop.
+pub(super) fn compute<P: Send>(
+    table: &dyn Table,
+    from: u64,
+    points: u64,
+    form: impl Fn(Vec<Column>) -> P + Sync,
+    mut write: impl FnMut(Vec<P>) -> io::Result<bool>,
+) -> io::Result<()> {
+    let progress = progress(table.count(), from);
+    let block = (points / table.points_in_a_row()).max(FEWEST_ROWS);
+    let at_once = (AT_ONCE / table.points_in_a_row()).max(1);
+    let mut next = from;
+    while next < table.count() {
+        let end = (next + block).min(table.count());
+        let starts: Vec<u64> = (next..end).step_by(at_once as usize).collect();
+        let part = |start: u64| match IS_INTERRUPTED.load(Ordering::Relaxed) {
+            true => Err(io::ErrorKind::Interrupted.into()),
+            false => Ok(form(table.columns(start..(start + at_once).min(end)))),
+        };
+        let parts: Vec<io::Result<P>> = starts.into_par_iter().map(part).collect();
+        if !write(parts.into_iter().collect::<io::Result<_>>()?)? {
+            return Ok(());
+        }
+        next = end;
+        progress.set_position(next);
+    }
+    Ok(())
+}
+
+/// What shows how far the computation is.
+fn progress(count: u64, from: u64) -> ProgressBar {
+    let progress = ProgressBar::new(count)
+        .with_position(from)
+        .with_finish(ProgressFinish::AndClear);
+    let style = ProgressStyle::with_template(
+        "{bar:40} {percent} %  {human_pos} of {human_len} rows, {eta} left",
+    );
+    progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    progress.reset_eta();
+    progress
+}

@@ -1,0 +1,145 @@
+//! Where the rows of a sweep are written.
+
+use std::io;
+use std::path::Path;
+
+use sha2::{Digest, Sha256};
+
+use crate::cli::Outcome;
+use crate::cli::output::{complain, finish, reason, stream, wrong};
+use crate::cli::partial::{Left, Partial, Reserved};
+use crate::report::csv::{heading, rows};
+
+use super::rows::{Table, await_interruption, compute};
+
+/// About so many points are computed between writes of text.
+const TEXT: u64 = 1 << 14;
+
+/// What helps where a file cannot be made.
+pub(super) const FOLDER: &str = "name a file in a folder that is there and that you may write to, and to which no other sweep writes";
+
+/// What helps where a file cannot be written to.
+const AGAIN: &str = "give the same command again to go on with the rows that were written";
+
+/// Computes a table, and writes it to a file or to standard output; what it rests on tells it from others.
+pub(super) fn written(table: &dyn Table, out: Option<&Path>, identity: &[String]) -> Outcome {
+    let Some(path) = out else {
+        return to_output(table);
+    };
+    let written = match path.extension().and_then(|extension| extension.to_str()) {
+        Some("csv") | None => to_text(table, path, &digest(identity)),
+        #[cfg(feature = "parquet")]
+        Some("parquet") => super::parquet::to_columns(table, path, &digest(identity)),
+        #[cfg(not(feature = "parquet"))]
+        Some("parquet") => {
+            let help = "build it with `--features parquet`, or name a .csv file";
+            Err(wrong("this build writes no Parquet", help))
+        }
+        Some(other) => Err(wrong(
+            &format!("a sweep is not written as .{other}"),
+            "name a .csv file, or a .parquet file",
+        )),
+    };
+    written.unwrap_or_else(|outcome| outcome)
+}
+
+fn to_output(table: &dyn Table) -> Outcome {
+    let write = |parts: Vec<String>| stream(&parts.concat());
+    let begun = stream(&heading(&table.columns(0..0)));
+    let written = begun.and_then(|is_read| match is_read {
+        true => compute(table, 0, TEXT, |columns| rows(&columns), write),
+        false => Ok(()),
+    });
+    match written {
+        Ok(()) => Outcome::AsExpected,
+        Err(error) => wrong(
+            &format!("standard output cannot be written: {}", reason(&error)),
+            "name a file with --out",
+        ),
+    }
+}
+
+fn to_text(table: &dyn Table, path: &Path, identity: &str) -> Result<Outcome, Outcome> {
+    let heading = heading(&table.columns(0..0));
+    let row = |number| (number < table.count()).then(|| rows(&table.columns(number..number + 1)));
+    let begun = Partial::open(path, identity, &heading, row);
+    let (mut partial, left) = begun.map_err(|error| unwritable(path, &error, FOLDER))?;
+    let done = told(partial.reserved(), left);
+    let write = |parts: Vec<String>| partial.write(&parts.concat()).map(|()| true);
+    let form = |columns: Vec<_>| rows(&columns);
+    let written = compute(table, done, TEXT, form, write).and_then(|()| partial.finish());
+    ended(table, path, written)
+}
+
+/// Says what an earlier run left, and gives the number of rows to go on from.
+pub(super) fn told(reserved: Option<&Reserved>, left: Left) -> u64 {
+    for (other, is_written) in reserved.map(Reserved::others).unwrap_or_default() {
+        let what = match is_written {
+            true => "is being written by another sweep to the same file, with other inputs",
+            false => {
+                "is left of a sweep with other inputs that was interrupted: delete it if you need it no more"
+            }
+        };
+        complain(&format!("{} {what}\n", other.display()));
+    }
+    await_interruption();
+    match left {
+        Left::Nothing => 0,
+        Left::Rows(rows) => {
+            complain(&format!("{rows} rows are there already\n"));
+            rows
+        }
+        Left::Useless(rows) => {
+            complain(&format!(
+                "{rows} rows that are there are not as this program computes them: all begins anew\n"
+            ));
+            0
+        }
+    }
+}
+
+/// How a sweep to a file ended.
+pub(super) fn ended(
+    table: &dyn Table,
+    path: &Path,
+    written: io::Result<()>,
+) -> Result<Outcome, Outcome> {
+    match written {
+        Ok(()) => Ok(finish(
+            &format!("{}: {} rows\n", path.display(), table.count()),
+            Outcome::AsExpected,
+        )),
+        Err(error) if error.kind() == io::ErrorKind::Interrupted => Err(wrong(
+            &format!(
+                "the sweep was interrupted: `{}` is not there yet",
+                path.display()
+            ),
+            AGAIN,
+        )),
+        Err(error) => Err(unwritable(path, &error, AGAIN)),
+    }
+}
+
+/// Says that a file cannot be written.
+pub(super) fn unwritable(path: &Path, error: &io::Error, help: &str) -> Outcome {
+    let what = format!("`{}` cannot be written: {}", path.display(), reason(error));
+    wrong(&what, help)
+}
+
+/// What tells a sweep from others in the name of a file, with this version.
+fn digest(identity: &[String]) -> String {
+    let mut hash = Sha256::new();
+    for text in identity
+        .iter()
+        .map(String::as_str)
+        .chain([env!("CARGO_PKG_VERSION")])
+    {
+        hash.update(text.len().to_le_bytes());
+        hash.update(text);
+    }
+    let digest = hash.finalize();
+    digest[..6]
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
+}
