@@ -6,7 +6,7 @@ use std::ops::Range;
 use crate::stability::closed_form::Estimated;
 use crate::stability::comparison::Value;
 use crate::stability::coordinate::Coordinate;
-use crate::stability::grid::Grid;
+use crate::stability::grid::{Grid, Rows};
 use crate::stability::system::sweep::Sweep;
 
 /// A column of a table.
@@ -16,6 +16,8 @@ pub struct Column {
     pub name: String,
     /// Its cells, a row each.
     pub cells: Cells,
+    /// Whether no cell is ever empty.
+    pub is_full: bool,
 }
 
 /// The cells of a column.
@@ -50,8 +52,15 @@ pub enum Digits {
 pub fn of_grid(grid: &Grid, rows: Range<u64>) -> Vec<Column> {
     let found = grid.rows_at(rows);
     let asked = grid.methods();
-    let axes = grid.variables().zip(found.values);
-    let axes = axes.map(|(own, values)| (true, own.name, Cells::Numbers(values, Digits::All)));
+    let axes = grid
+        .variables()
+        .zip(found.values)
+        .map(|(own, values)| Column {
+            name: own.name.to_string(),
+            cells: Cells::Numbers(values, Digits::All),
+            // No angle may be the worst.
+            is_full: !own.is_angle() || grid.rows_are() == Rows::Points,
+        });
     let (frequencies, mostly) = critical(&found.critical);
     let methods = [
         (
@@ -77,8 +86,9 @@ pub fn of_grid(grid: &Grid, rows: Range<u64>) -> Vec<Column> {
         (asked.closed, "closed_limits", limits(&found.closed)),
         (asked.uniform, "uniform_limits", limits(&found.uniform)),
     ];
-    let asked = axes.chain(methods).filter(|(is_asked, ..)| *is_asked);
-    asked.map(|(_, name, cells)| column(name, cells)).collect()
+    let asked = methods.into_iter().filter(|(is_asked, ..)| *is_asked);
+    let asked = asked.map(|(_, name, cells)| column(name, cells));
+    axes.chain(asked).collect()
 }
 
 /// Frequencies in Hz, and the coordinates that move most.
@@ -101,10 +111,10 @@ pub fn of_system(sweep: &Sweep<'_>, rows: Range<u64>) -> Vec<Column> {
     let found = sweep.rows(rows);
     let numbers =
         |name: &str, numbers: Vec<f64>| column(name, Cells::Numbers(numbers, Digits::Point));
-    let axes =
-        sweep.axes().iter().enumerate().map(|(place, axis)| {
-            numbers(&axis.name, values.iter().map(|own| own[place]).collect())
-        });
+    let axes = sweep.axes().iter().enumerate().map(|(place, axis)| Column {
+        is_full: true,
+        ..numbers(&axis.name, values.iter().map(|own| own[place]).collect())
+    });
     let growths: Vec<[f64; 3]> = found
         .iter()
         .map(|own| match &own.growth {
@@ -123,8 +133,11 @@ pub fn of_system(sweep: &Sweep<'_>, rows: Range<u64>) -> Vec<Column> {
 }
 
 fn column(name: &str, cells: Cells) -> Column {
-    let name = name.to_string();
-    Column { name, cells }
+    Column {
+        name: name.to_string(),
+        cells,
+        is_full: false,
+    }
 }
 
 fn estimates(found: &[Estimated]) -> Cells {

@@ -356,6 +356,11 @@ impl<'a> Grid<'a> {
         self.methods
     }
 
+    /// What a row stands for.
+    pub fn rows_are(&self) -> Rows {
+        self.rows
+    }
+
     /// How many rows there are.
     pub fn rows(&self) -> u64 {
         let (angles, others) = self.angles_and_others();

@@ -451,7 +451,7 @@ fn an_interrupted_sweep_to_parquet_goes_on() {
         let part = parts(&folder).pop().expect("it was not done yet");
         let left = groups(&part);
         assert!(
-            !left.is_empty() && left.iter().all(|own| *own == 1 << 18),
+            !left.is_empty() && left.iter().all(|own| *own == 1 << 16),
             "{left:?}"
         );
         let rows: i64 = left.iter().sum();

@@ -1,7 +1,7 @@
 //! A sweep as a Parquet file.
 
 use std::fs::File;
-use std::io;
+use std::io::{self, Write};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -11,8 +11,8 @@ use parquet::column::writer::ColumnCloseResult;
 use parquet::data_type::{ByteArray, ByteArrayType, DoubleType};
 use parquet::errors::ParquetError;
 use parquet::file::metadata::RowGroupMetaData;
-use parquet::file::properties::{EnabledStatistics, WriterProperties};
-use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesPtr};
+use parquet::file::reader::{ChunkReader, FileReader, SerializedFileReader};
 use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::record::Field;
 use parquet::schema::types::{Type, TypePtr};
@@ -24,11 +24,14 @@ use crate::cli::output::wrong;
 use crate::cli::partial::{Left, Reserved};
 use crate::report::columns::{Cells, Column};
 
-use super::rows::{Table, compute};
+use super::rows::{Sizes, Table, compute};
 use super::written::{FOLDER, ended, told, unwritable};
 
-/// About so many points are in a row group.
-const GROUP: u64 = 1 << 18;
+/// A part becomes a row group.
+const GROUPS: Sizes = Sizes {
+    block: 1 << 18,
+    part: 1 << 16,
+};
 
 /// Computes a table and writes it as columns.
 ///
@@ -49,13 +52,15 @@ pub(super) fn to_columns(
     }
     let cannot_begin = |error: &io::Error| unwritable(path, error, FOLDER);
     let reserved = Reserved::new(path, identity).map_err(|error| cannot_begin(&error))?;
-    let mut groups = Groups::new(&reserved, table).map_err(|error| cannot_begin(&error))?;
+    let format = Format::new(&table.columns(0..0));
+    let begun = format.and_then(|format| Ok((Groups::new(&reserved, &format)?, format)));
+    let (mut groups, format) = begun.map_err(|error| cannot_begin(&error))?;
     let left = groups
         .take_over(&reserved, table)
         .map_err(|error| cannot_begin(&error))?;
     let done = told(Some(&reserved), left);
-    let write = |parts: Vec<Vec<Column>>| groups.write(&parts).map(|()| true);
-    let computed = compute(table, done, GROUP, |columns| columns, write);
+    let write = |parts: Vec<io::Result<Bytes>>| groups.add(parts).map(|()| true);
+    let computed = compute(table, done, GROUPS, |parts| format.group(parts), write);
     let written = match computed {
         Ok(()) => groups.end().and_then(|file| reserved.finish(file)),
         Err(error) if error.kind() == io::ErrorKind::Interrupted => groups
@@ -67,25 +72,60 @@ pub(super) fn to_columns(
     ended(table, path, written)
 }
 
-/// Row groups on their way to a file.
-struct Groups {
-    writer: SerializedFileWriter<NamedTempFile>,
+/// How columns are written.
+struct Format {
+    schema: TypePtr,
+    properties: WriterPropertiesPtr,
 }
 
-impl Groups {
-    fn new(reserved: &Reserved, table: &dyn Table) -> io::Result<Self> {
+impl Format {
+    /// For columns like these.
+    fn new(columns: &[Column]) -> io::Result<Self> {
         // Results hardly repeat: a dictionary of them costs time and saves nothing. Groups are small enough to be read
         // whole, and one that is copied has no index of its pages.
         let mut properties = WriterProperties::builder()
             .set_dictionary_enabled(false)
             .set_statistics_enabled(EnabledStatistics::Chunk)
             .set_offset_index_disabled(true);
-        let columns = table.columns(0..0);
         for own in columns.iter().filter(|own| is_words(&own.cells)) {
             properties = properties.set_column_dictionary_enabled(own.name.as_str().into(), true);
         }
-        let file = staged(reserved.folder())?;
-        let writer = SerializedFileWriter::new(file, schema(&columns)?, properties.build().into())?;
+        Ok(Format {
+            schema: schema(columns)?,
+            properties: properties.build().into(),
+        })
+    }
+
+    fn writer<W: Write + Send>(&self, file: W) -> io::Result<SerializedFileWriter<W>> {
+        let (schema, properties) = (self.schema.clone(), self.properties.clone());
+        Ok(SerializedFileWriter::new(file, schema, properties)?)
+    }
+
+    /// A file with one group of rows, which are given as columns of some of them after the other.
+    fn group(&self, parts: &[Vec<Column>]) -> io::Result<Bytes> {
+        let mut writer = self.writer(Vec::new())?;
+        let mut columns = writer.next_row_group()?;
+        let mut place = 0;
+        while let Some(mut column) = columns.next_column()? {
+            for part in parts {
+                write_cells(&mut column, &part[place])?;
+            }
+            column.close()?;
+            place += 1;
+        }
+        columns.close()?;
+        Ok(writer.into_inner()?.into())
+    }
+}
+
+/// Row groups on their way to a file.
+struct Groups {
+    writer: SerializedFileWriter<NamedTempFile>,
+}
+
+impl Groups {
+    fn new(reserved: &Reserved, format: &Format) -> io::Result<Self> {
+        let writer = format.writer(staged(reserved.folder())?)?;
         Ok(Groups { writer })
     }
 
@@ -110,7 +150,7 @@ impl Groups {
         Ok(Left::Rows(rows))
     }
 
-    fn copy(&mut self, earlier: &File, group: &RowGroupMetaData) -> io::Result<()> {
+    fn copy(&mut self, earlier: &impl ChunkReader, group: &RowGroupMetaData) -> io::Result<()> {
         let mut columns = self.writer.next_row_group()?;
         for own in group.columns() {
             let chunk = ColumnCloseResult {
@@ -127,18 +167,15 @@ impl Groups {
         Ok(())
     }
 
-    /// Adds a group of rows, which are given part by part.
-    fn write(&mut self, parts: &[Vec<Column>]) -> io::Result<()> {
-        let mut columns = self.writer.next_row_group()?;
-        let mut place = 0;
-        while let Some(mut column) = columns.next_column()? {
-            for part in parts {
-                write_cells(&mut column, &part[place].cells)?;
+    /// Adds the groups of files.
+    fn add(&mut self, files: Vec<io::Result<Bytes>>) -> io::Result<()> {
+        for file in files {
+            let file = file?;
+            let reader = SerializedFileReader::new(file.clone())?;
+            for group in reader.metadata().row_groups() {
+                self.copy(&file, group)?;
             }
-            column.close()?;
-            place += 1;
         }
-        columns.close()?;
         Ok(())
     }
 
@@ -152,7 +189,7 @@ fn is_words(cells: &Cells) -> bool {
     matches!(cells, Cells::Words(_))
 }
 
-/// Columns of doubles and words, each of which may be missing.
+/// Columns of doubles and words.
 fn schema(columns: &[Column]) -> Result<TypePtr, ParquetError> {
     let column = |own: &Column| {
         let builder = match is_words(&own.cells) {
@@ -160,8 +197,11 @@ fn schema(columns: &[Column]) -> Result<TypePtr, ParquetError> {
                 .with_logical_type(Some(LogicalType::String)),
             false => Type::primitive_type_builder(&own.name, Physical::DOUBLE),
         };
-        let column = builder.with_repetition(Repetition::OPTIONAL).build();
-        column.map(Arc::new)
+        let repetition = match own.is_full {
+            true => Repetition::REQUIRED,
+            false => Repetition::OPTIONAL,
+        };
+        builder.with_repetition(repetition).build().map(Arc::new)
     };
     let columns = columns.iter().map(column).collect::<Result<_, _>>()?;
     let schema = Type::group_type_builder("sweep")
@@ -170,24 +210,32 @@ fn schema(columns: &[Column]) -> Result<TypePtr, ParquetError> {
     Ok(Arc::new(schema))
 }
 
-fn write_cells(column: &mut SerializedColumnWriter<'_>, cells: &Cells) -> Result<(), ParquetError> {
-    if let Cells::Words(words) = cells {
-        let levels: Vec<i16> = words.iter().map(|own| i16::from(!own.is_empty())).collect();
+fn write_cells(
+    writer: &mut SerializedColumnWriter<'_>,
+    column: &Column,
+) -> Result<(), ParquetError> {
+    // Of a full column no level is written.
+    let levels = |is_there: &mut dyn Iterator<Item = bool>| -> Option<Vec<i16>> {
+        (!column.is_full).then(|| is_there.map(i16::from).collect())
+    };
+    if let Cells::Words(words) = &column.cells {
+        let levels = levels(&mut words.iter().map(|own| !own.is_empty()));
         // Bytes that do not change are not copied.
         let words = words.iter().filter(|own| !own.is_empty());
-        let words: Vec<ByteArray> = words
-            .map(|own| Bytes::from_static(own.as_bytes()).into())
-            .collect();
-        let column = column.typed::<ByteArrayType>();
-        return column.write_batch(&words, Some(&levels), None).map(|_| ());
+        let words = words.map(|own| Bytes::from_static(own.as_bytes()).into());
+        let writer = writer.typed::<ByteArrayType>();
+        writer.write_batch(&words.collect::<Vec<ByteArray>>(), levels.as_deref(), None)?;
+        return Ok(());
     }
-    let mut numbers = cells.numbers();
-    let levels: Vec<i16> = numbers.iter().map(|own| i16::from(!own.is_nan())).collect();
+    let mut numbers = column.cells.numbers();
+    let levels = levels(&mut numbers.iter().map(|own| !own.is_nan()));
     numbers.retain(|own| !own.is_nan());
-    let column = column.typed::<DoubleType>();
-    column
-        .write_batch(&numbers, Some(&levels), None)
-        .map(|_| ())
+    let least = numbers.iter().copied().reduce(f64::min);
+    let most = numbers.iter().copied().reduce(f64::max);
+    let writer = writer.typed::<DoubleType>();
+    let ends = (least.as_ref(), most.as_ref());
+    writer.write_batch_with_statistics(&numbers, levels.as_deref(), None, ends.0, ends.1, None)?;
+    Ok(())
 }
 
 /// The last row of a file.

@@ -11,7 +11,7 @@ use crate::report::columns::{Column, of_grid, of_system};
 use crate::stability::grid::Grid;
 use crate::stability::system::sweep::Sweep;
 
-/// About so many points are computed by one core at a time.
+/// About so many points are computed at a time: their columns stay near a core.
 const AT_ONCE: u64 = 1024;
 
 /// The fewest rows of a block, so that all cores have some.
@@ -23,6 +23,13 @@ static IS_INTERRUPTED: AtomicBool = AtomicBool::new(false);
 /// Lets an interruption be told to [`compute`], where signals can be caught; elsewhere it is silent.
 pub(super) fn await_interruption() {
     let _ = ctrlc::set_handler(|| IS_INTERRUPTED.store(true, Ordering::Relaxed));
+}
+
+/// About how many points are computed between writes, and how many of them by one core.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sizes {
+    pub block: u64,
+    pub part: u64,
 }
 
 /// Rows that are computed one after the other, each by its number alone.
@@ -65,7 +72,8 @@ impl Table for Sweep<'_> {
 
 /// Computes the rows from one on, and writes them in order, until there is nobody who reads them.
 ///
-/// A block takes about so many points; `form` is what all cores make of the columns of its parts.
+/// `form` is what one core makes of a part, given as columns of some of its rows after the other; after each block of
+/// parts they are written.
 ///
 /// # Errors
 ///
@@ -73,22 +81,19 @@ impl Table for Sweep<'_> {
 pub(super) fn compute<P: Send>(
     table: &dyn Table,
     from: u64,
-    points: u64,
-    form: impl Fn(Vec<Column>) -> P + Sync,
+    sizes: Sizes,
+    form: impl Fn(&[Vec<Column>]) -> P + Sync,
     mut write: impl FnMut(Vec<P>) -> io::Result<bool>,
 ) -> io::Result<()> {
     let progress = progress(table.count(), from);
-    let block = (points / table.points_in_a_row()).max(FEWEST_ROWS);
-    let at_once = (AT_ONCE / table.points_in_a_row()).max(1);
+    let rows = |points: u64| (points / table.points_in_a_row()).max(1);
+    let (block, part) = (rows(sizes.block).max(FEWEST_ROWS), rows(sizes.part));
     let mut next = from;
     while next < table.count() {
         let end = (next + block).min(table.count());
-        let starts: Vec<u64> = (next..end).step_by(at_once as usize).collect();
-        let part = |start: u64| match IS_INTERRUPTED.load(Ordering::Relaxed) {
-            true => Err(io::ErrorKind::Interrupted.into()),
-            false => Ok(form(table.columns(start..(start + at_once).min(end)))),
-        };
-        let parts: Vec<io::Result<P>> = starts.into_par_iter().map(part).collect();
+        let starts: Vec<u64> = (next..end).step_by(part as usize).collect();
+        let formed = |start: u64| Ok(form(&columns(table, start..(start + part).min(end))?));
+        let parts: Vec<io::Result<P>> = starts.into_par_iter().map(formed).collect();
         if !write(parts.into_iter().collect::<io::Result<_>>()?)? {
             return Ok(());
         }
@@ -96,6 +101,16 @@ pub(super) fn compute<P: Send>(
         progress.set_position(next);
     }
     Ok(())
+}
+
+/// The columns of some rows after the other.
+fn columns(table: &dyn Table, rows: Range<u64>) -> io::Result<Vec<Vec<Column>>> {
+    let at_once = (AT_ONCE / table.points_in_a_row()).max(1);
+    let some = |start: u64| match IS_INTERRUPTED.load(Ordering::Relaxed) {
+        true => Err(io::ErrorKind::Interrupted.into()),
+        false => Ok(table.columns(start..(start + at_once).min(rows.end))),
+    };
+    rows.clone().step_by(at_once as usize).map(some).collect()
 }
 
 /// What shows how far the computation is.

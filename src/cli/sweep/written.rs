@@ -8,12 +8,16 @@ use sha2::{Digest, Sha256};
 use crate::cli::Outcome;
 use crate::cli::output::{complain, finish, reason, stream, wrong};
 use crate::cli::partial::{Left, Partial, Reserved};
+use crate::report::columns::Column;
 use crate::report::csv::{heading, rows};
 
-use super::rows::{Table, await_interruption, compute};
+use super::rows::{Sizes, Table, await_interruption, compute};
 
-/// About so many points are computed between writes of text.
-const TEXT: u64 = 1 << 14;
+/// How text is written.
+const TEXT: Sizes = Sizes {
+    block: 1 << 14,
+    part: 1 << 10,
+};
 
 /// What helps where a file cannot be made.
 pub(super) const FOLDER: &str = "name a file in a folder that is there and that you may write to, and to which no other sweep writes";
@@ -47,7 +51,7 @@ fn to_output(table: &dyn Table) -> Outcome {
     let write = |parts: Vec<String>| stream(&parts.concat());
     let begun = stream(&heading(&table.columns(0..0)));
     let written = begun.and_then(|is_read| match is_read {
-        true => compute(table, 0, TEXT, |columns| rows(&columns), write),
+        true => compute(table, 0, TEXT, text, write),
         false => Ok(()),
     });
     match written {
@@ -59,6 +63,10 @@ fn to_output(table: &dyn Table) -> Outcome {
     }
 }
 
+fn text(parts: &[Vec<Column>]) -> String {
+    parts.iter().map(|own| rows(own)).collect()
+}
+
 fn to_text(table: &dyn Table, path: &Path, identity: &str) -> Result<Outcome, Outcome> {
     let heading = heading(&table.columns(0..0));
     let row = |number| (number < table.count()).then(|| rows(&table.columns(number..number + 1)));
@@ -66,8 +74,7 @@ fn to_text(table: &dyn Table, path: &Path, identity: &str) -> Result<Outcome, Ou
     let (mut partial, left) = begun.map_err(|error| unwritable(path, &error, FOLDER))?;
     let done = told(partial.reserved(), left);
     let write = |parts: Vec<String>| partial.write(&parts.concat()).map(|()| true);
-    let form = |columns: Vec<_>| rows(&columns);
-    let written = compute(table, done, TEXT, form, write).and_then(|()| partial.finish());
+    let written = compute(table, done, TEXT, text, write).and_then(|()| partial.finish());
     ended(table, path, written)
 }
 
