@@ -14,7 +14,7 @@ use super::exact_section::ExactSection;
 use super::in_speed::InSpeed;
 use super::input::InputError;
 use super::interpolation::CoefficientCurves;
-use super::neutral::{enclosure, without_pairs};
+use super::neutral::{enclosure, may_divide, without_pairs};
 use super::speed_search::{Found, LOWEST, Part, parts};
 use super::system::arithmetic::NoValue;
 
@@ -246,15 +246,28 @@ fn is_open(part: &Part) -> bool {
     part.found == Found::Certain(Stability::Undecided) && !part.is_negligible()
 }
 
-/// The parts if enclosures of the coefficients leave nothing open, and are stable somewhere, so that no motion is
-/// neutral at all speeds: no exact number is needed then.
+/// The parts if enclosures of the coefficients leave nothing open, and tell that no motion is neutral at all speeds: no
+/// exact number is needed then.
 fn enclosed_parts(section: &ExactSection, unit: &Rational) -> Option<Vec<Part>> {
     let intervals = Intervals::new(DIGITS[0]);
     let polynomial = section.characteristic_polynomial(unit, &intervals).ok()?;
     let parts = parts(&polynomial, polynomial.first()?, &intervals);
+    if parts.iter().any(is_open) {
+        return None;
+    }
     let is_stable = |own: &Part| own.certain() == Some(Stability::Stable);
-    let is_known = !parts.iter().any(is_open) && parts.iter().any(is_stable);
-    is_known.then_some(parts)
+    if parts.iter().any(is_stable) {
+        return Some(parts);
+    }
+    let is_damped = polynomial
+        .iter()
+        .skip(1)
+        .step_by(2)
+        .any(|own| !own.is_empty());
+    let squares = section.likely_squares(unit, &intervals).ok()?;
+    let mut squares = squares.iter();
+    let divides = squares.any(|own| may_divide(own, &polynomial, &intervals));
+    (is_damped && !divides).then_some(parts)
 }
 
 /// The characteristic polynomial in powers of λ and of the speed without pairs of imaginary roots, and whether there

@@ -103,19 +103,23 @@ impl ExactSection {
     /// # Errors
     ///
     /// If the sums of sines and cosines become too long.
-    pub(super) fn likely_squares(
+    pub(super) fn likely_squares<C: Coefficients>(
         &self,
         speed_unit: &Rational,
-        sums: &TrigonometricSums,
-    ) -> Result<Vec<InSpeed>, NoValue> {
-        let given = self.given(speed_unit, sums);
-        let mut arithmetic = InSpeeds(sums);
+        coefficients: &C,
+    ) -> Result<Vec<InSpeed<C::Element>>, NoValue>
+    where
+        C::Element: PartialEq,
+    {
+        let given = self.given(speed_unit, coefficients);
+        let mut arithmetic = InSpeeds(coefficients);
         let [structure, wind] = given.stiffness_in(&mut arithmetic)?;
         let mut squares = given.squares_without_wind_in(&mut arithmetic)?;
         for free in self.0.free.as_slice().iter().map(|free| free.index()) {
-            squares.push(Univariate(sums).sum(&structure[free][free], &wind[free][free])?);
+            let own = Univariate(coefficients).sum(&structure[free][free], &wind[free][free]);
+            squares.push(own.map_err(Into::into)?);
         }
-        let mut different: Vec<InSpeed> = Vec::with_capacity(squares.len());
+        let mut different: Vec<InSpeed<C::Element>> = Vec::with_capacity(squares.len());
         for square in squares {
             if !different.contains(&square) {
                 different.push(square);

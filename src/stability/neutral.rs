@@ -54,7 +54,11 @@ pub(super) fn enclosure(powers: &InSpeed, intervals: &Intervals) -> InSpeed<Inte
 }
 
 /// Whether even and odd part may vanish where λ² = −ν, at every speed.
-fn may_divide(square: &Vec<Interval>, polynomial: &[Vec<Interval>], intervals: &Intervals) -> bool {
+pub(super) fn may_divide(
+    square: &InSpeed<Interval>,
+    polynomial: &[InSpeed<Interval>],
+    intervals: &Intervals,
+) -> bool {
     let in_speed = Univariate(intervals);
     let at = in_speed.negative(square);
     let vanishes = |first: usize| {
