@@ -32,7 +32,7 @@ mod modal;
 pub mod model;
 mod neutral;
 pub mod offset;
-pub mod quantities;
+pub mod quantity;
 mod recorded;
 mod schur;
 pub mod section;
