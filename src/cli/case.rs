@@ -63,7 +63,7 @@ pub fn set_case_and_files(
 fn setting(fixed: &Fixed) -> Result<Setting, Outcome> {
     let name = &fixed.name;
     let Some(variable) = Variable::named(name) else {
-        let known = Variable::ALL.map(|own| own.name.to_string());
+        let known: Vec<String> = Variable::all().map(|own| own.name.into()).collect();
         let what = format!("a case has no quantity `{name}`");
         return Err(unknown(&what, name, &known));
     };

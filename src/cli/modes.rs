@@ -21,7 +21,7 @@ use crate::stability::exact_section::ExactSection;
 use crate::stability::interpolation::CoefficientCurves;
 use crate::stability::limitation::Limitation;
 use crate::stability::model::Model;
-use crate::stability::quantities::{names, needed, parameters};
+use crate::stability::quantity::{names, needed, parameters};
 use crate::stability::section::{Parameters, Section};
 use crate::stability::system::instance::Instance;
 use crate::stability::tracking::{Mode, places};

@@ -298,7 +298,7 @@ fn not_varied(name: &str) -> String {
     if ["alpha_0", "theta_0"].contains(&name) {
         return format!("{name} goes with the angle of attack: vary alpha_deg");
     }
-    match nearest(name, Variable::ALL.iter().map(|own| own.name)) {
+    match nearest(name, Variable::all().map(|own| own.name)) {
         Some(near) => format!("there is no quantity `{name}`: did you mean `{near}`?"),
         None => format!("there is no quantity `{name}`: `sextic sweep --help` names them"),
     }

@@ -1,6 +1,7 @@
 //! A case: a section in the wind and the angles at which it is looked at, as an engineer writes it down.
 
 use serde::Deserialize;
+use toml::de::DeTable;
 
 mod file;
 mod keys;
@@ -10,6 +11,7 @@ use self::keys::{Lines, SWEEP, check_keys, not_read};
 use super::error::StabilityError;
 use super::input::{InputError, Place, Remark};
 use super::interpolation::Interpolation;
+use super::quantity::{Quantity, Unit};
 use super::section::{Coefficients, Parameters, Section};
 use super::variable::Setting;
 
@@ -123,36 +125,25 @@ impl Case {
     /// What cannot be read, is not known, is missing or is out of its range, with its line.
     pub fn read(file: &str, text: &str) -> Result<Self, InputError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let lines = check_keys(file, text)?;
-        let read: File = toml::from_str(text).map_err(|error| not_read(file, text, &error))?;
-        let free = read.structure.free(file, &lines)?;
-        read.check_needed(free, file, &lines)?;
-        let (section, structure, wind) = (read.section, read.structure, read.wind);
-        // What is missing now is not needed: where theta is held nothing has a lever.
-        let of = |own: Option<f64>| own.unwrap_or_default();
-        let steps = read.sweep.alpha_deg.unwrap_or_default();
+        let not_read = |error| not_read(file, text, &error);
+        let document = DeTable::parse(text).map_err(not_read)?.into_inner();
+        let lines = check_keys(file, text, &document)?;
+        let read = File::read(document).map_err(not_read)?;
+        let free = read.free(file, &lines)?;
+        lines.check_needed(file, free)?;
+        let parameters = read.parameters(free);
+        // What is missing now is not needed.
+        let steps = read.alpha_deg.unwrap_or_default();
         let case = Case {
             file: file.into(),
-            parameters: Parameters {
-                mass: of(section.m),
-                radius_of_gyration: section.r.or(section.D).unwrap_or(1.0),
-                mass_centre_distance: of(section.L_g),
-                mass_centre_angle: of(section.alpha_g_deg).to_radians(),
-                aerodynamic_centre_distance: of(section.L_a),
-                aerodynamic_centre_angle: of(section.gamma_r_deg).to_radians(),
-                reference_dimension: of(section.D),
-                air_density: of(wind.rho),
-                wind_speed: of(wind.U),
-                aerodynamic_stiffness: wind.aerodynamic_stiffness,
-                ..structure.parameters(free)
-            },
-            coefficients: section.coefficients.unwrap_or_default(),
-            interpolation: section.interpolation.unwrap_or(Interpolation::Linear),
+            parameters,
+            coefficients: read.coefficients.unwrap_or_default(),
+            interpolation: read.interpolation.unwrap_or(Interpolation::Linear),
             angles: Angles {
                 from: steps.from,
                 to: steps.to,
                 step: steps.step,
-                turn: read.sweep.turn.unwrap_or(Turn::Section),
+                turn: read.turn.unwrap_or(Turn::Section),
             },
             set: Vec::new(),
         };
@@ -258,10 +249,10 @@ impl Case {
             let place = Place::file(&self.file);
             remarks.push(Remark { place, what });
         };
-        for (name, ratio) in ["zeta_x", "zeta_y", "zeta_theta"]
-            .into_iter()
-            .zip(p.damping_ratios)
-        {
+        let given = |own: Quantity| (own.row().name, own.of(p).copied().unwrap_or_default());
+        let ratios = Quantity::ALL.iter().copied();
+        let ratios = ratios.filter(|own| own.row().unit == Unit::Fraction);
+        for (name, ratio) in ratios.map(given) {
             if ratio > MOST_USUAL_RATIO {
                 remark(format!(
                     "{name} = {ratio} is a damping of {} % of critical; ratios are fractions, 0.8 % is 0.008",
@@ -270,7 +261,7 @@ impl Case {
             }
         }
         let (size, r) = (p.reference_dimension, p.radius_of_gyration);
-        for (name, length) in [("r", r), ("L_a", p.aerodynamic_centre_distance)] {
+        for (name, length) in [Quantity::r, Quantity::L_a].map(given) {
             if length > MOST_USUAL_LENGTHS * size || (name == "r" && size > MOST_USUAL_LENGTHS * r)
             {
                 remark(format!(
@@ -299,57 +290,27 @@ impl Case {
         Err(InputError::new(place, what, SWEEP))
     }
 
-    /// What is wrong with a parameter, by the names and units of a case file.
+    /// Why there is no section, by the names and units of a case file.
     fn impossible(&self, error: &StabilityError, lines: &Lines) -> InputError {
+        let place = || Place::file(&self.file);
+        self.out_of_range(error, lines)
+            .unwrap_or_else(|| InputError::new(place(), error.to_string(), "correct the case"))
+    }
+
+    fn out_of_range(&self, error: &StabilityError, lines: &Lines) -> Option<InputError> {
         let StabilityError::Parameter {
             name,
             value,
             must_be,
         } = error
         else {
-            return InputError::new(
-                Place::file(&self.file),
-                error.to_string(),
-                "correct the case",
-            );
+            return None;
         };
-        let turn = std::f64::consts::TAU;
-        let frequency =
-            |key: &'static str| ("structure", key, value / turn, "frequencies are in Hz");
-        let (table, key, value, help) = match *name {
-            "omega_x" => frequency("f_x"),
-            "omega_y" => frequency("f_y"),
-            "omega_theta" => frequency("f_theta"),
-            "zeta_x" | "zeta_y" | "zeta_theta" => (
-                "structure",
-                *name,
-                *value,
-                "damping ratios are fractions: 0.8 % is 0.008",
-            ),
-            "alpha_g" => (
-                "section",
-                "alpha_g_deg",
-                value.to_degrees(),
-                "angles are in degrees",
-            ),
-            "gamma_r" => (
-                "section",
-                "gamma_r_deg",
-                value.to_degrees(),
-                "angles are in degrees",
-            ),
-            "rho" => (
-                "wind",
-                "rho",
-                *value,
-                "in kg/m³; air at the ground has about 1.2",
-            ),
-            "U" => ("wind", "U", *value, "in m/s"),
-            "m" => ("section", "m", *value, "in kg/m"),
-            _ => ("section", *name, *value, "lengths are in m"),
-        };
-        let place = lines.place(&self.file, table, key);
-        InputError::new(place, format!("{key} = {value} must be {must_be}"), help)
+        let own = Quantity::named(name)?;
+        let (key, unit) = (own.key()?, own.row().unit);
+        let place = lines.place(&self.file, key.table, key.name);
+        let what = format!("{} = {} must be {must_be}", key.name, unit.of_si(*value));
+        Some(InputError::new(place, what, unit.help()))
     }
 }
 

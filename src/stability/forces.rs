@@ -13,33 +13,6 @@ pub enum Forces<T = f64> {
     ScaledDamping([[T; 3]; 3]),
 }
 
-/// The names of the entries of S_a by rows.
-pub(super) const SCALED_DAMPING: [[&str; 3]; 3] = [
-    ["S_xx", "S_xy", "S_xt"],
-    ["S_yx", "S_yy", "S_yt"],
-    ["S_tx", "S_ty", "S_tt"],
-];
-
-/// The names of coefficients.
-const COEFFICIENTS: [[&str; 3]; 2] = [["C_D", "C_L", "C_M"], ["dC_D", "dC_L", "dC_M"]];
-
-impl Forces {
-    /// The numbers by their names.
-    pub(super) fn entries(&self) -> impl Iterator<Item = (&'static str, f64)> {
-        let (names, values) = match *self {
-            Forces::Coefficients(c) => {
-                let (forces, slopes) = (
-                    [c.drag, c.lift, c.moment],
-                    [c.drag_slope, c.lift_slope, c.moment_slope],
-                );
-                (COEFFICIENTS.as_flattened(), [forces, slopes, [0.0; 3]])
-            }
-            Forces::ScaledDamping(matrix) => (SCALED_DAMPING.as_flattened(), matrix),
-        };
-        names.iter().copied().zip(values.into_iter().flatten())
-    }
-}
-
 impl<T> Forces<T> {
     /// The same in other numbers.
     pub(super) fn map<U>(&self, number: &impl Fn(&T) -> U) -> Forces<U> {

@@ -36,7 +36,7 @@ mod modal;
 pub mod model;
 mod neutral;
 pub mod offset;
-pub mod quantities;
+pub mod quantity;
 mod recorded;
 pub mod section;
 pub mod sensitivity;

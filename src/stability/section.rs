@@ -3,6 +3,7 @@
 use super::coordinate::{Coordinate, FreeCoordinates};
 use super::error::StabilityError;
 use super::forces::Forces;
+use super::quantity::Quantity;
 
 /// The parameters of a section in the wind, in SI units and radians; nothing is checked yet.
 ///
@@ -132,10 +133,6 @@ impl<T> Coefficients<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Section(Parameters);
 
-/// The names of what stands in the order x, y, θ.
-const FREQUENCIES: [&str; 3] = ["omega_x", "omega_y", "omega_theta"];
-const DAMPING_RATIOS: [&str; 3] = ["zeta_x", "zeta_y", "zeta_theta"];
-
 impl Section {
     /// Checks the parameters.
     ///
@@ -145,41 +142,11 @@ impl Section {
     /// [`StabilityError::StiffnessWithoutCoefficients`] if S_a is given with aerodynamic stiffness.
     pub fn new(parameters: Parameters) -> Result<Self, StabilityError> {
         let p = &parameters;
-        for (name, value) in [
-            ("m", p.mass),
-            ("r", p.radius_of_gyration),
-            ("D", p.reference_dimension),
-            ("rho", p.air_density),
-        ] {
-            require(name, value, value > 0.0, "above 0")?;
-        }
-        for (name, value) in [
-            ("L_g", p.mass_centre_distance),
-            ("L_a", p.aerodynamic_centre_distance),
-            ("U", p.wind_speed),
-        ] {
-            require(name, value, value >= 0.0, "0 or above")?;
-        }
-        for (name, value) in [
-            ("alpha_g", p.mass_centre_angle),
-            ("gamma_r", p.aerodynamic_centre_angle),
-            ("alpha_0", p.wind_angle),
-            ("theta_0", p.attitude),
-        ] {
-            require(name, value, true, "a number")?;
-        }
-        for (name, value) in p.forces.entries() {
-            require(name, value, true, "a number")?;
-        }
-        for index in p.free.as_slice().iter().map(|free| free.index()) {
-            let (frequency, ratio) = (p.natural_frequencies[index], p.damping_ratios[index]);
-            require(FREQUENCIES[index], frequency, frequency > 0.0, "above 0")?;
-            require(DAMPING_RATIOS[index], ratio, ratio >= 0.0, "0 or above")?;
-        }
+        Quantity::check_all(p)?;
         let r = p.radius_of_gyration;
         if p.mass_centre_distance >= r {
             let below = format!("below r = {r}, or the moment of inertia about G is not positive");
-            require("L_g", p.mass_centre_distance, false, &below)?;
+            return Err(Quantity::L_g.must_be(&below, p.mass_centre_distance));
         }
         if p.aerodynamic_stiffness && matches!(p.forces, Forces::ScaledDamping(_)) {
             return Err(StabilityError::StiffnessWithoutCoefficients);
@@ -215,24 +182,4 @@ impl Section {
     pub fn damping_coefficient(&self, real_part: f64) -> Option<f64> {
         self.0.damping_coefficient(real_part)
     }
-}
-
-fn require(
-    name: &'static str,
-    value: f64,
-    is_right: bool,
-    must_be: &str,
-) -> Result<(), StabilityError> {
-    if is_right && value.is_finite() {
-        return Ok(());
-    }
-    Err(StabilityError::Parameter {
-        name,
-        value,
-        must_be: if value.is_finite() {
-            must_be.into()
-        } else {
-            "finite".into()
-        },
-    })
 }

@@ -1,43 +1,28 @@
 //! The quantities of a case that a grid may vary, and that a command may set.
 
-use std::f64::consts::TAU;
 use std::fmt;
 
-use super::coordinate::Coordinate;
-use super::forces::Forces;
-use super::section::{Coefficients, Parameters};
+use super::quantity::{Quantity, Source, Unit};
+use super::section::Parameters;
 
 /// A quantity of a case, by the name and in the unit of the case file, or by that of the command line in
 /// SI units and radians.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Variable {
     /// Its name: `L_g`, `alpha_g_deg`, `alpha_g`.
     pub name: &'static str,
-    set: Set,
-}
-
-#[derive(Clone, Copy, Debug)]
-enum Set {
-    /// The angle of attack, at which the table is read.
-    Angle,
-    Parameter(fn(&mut Parameters, f64)),
-    /// In place of what the table says.
-    Coefficient(fn(&mut Coefficients, f64)),
+    unit: Unit,
+    /// What it is, or all three that are set to one value; none for the angle of attack, at which the table is read.
+    quantities: &'static [Quantity],
 }
 
 /// A quantity of a case, and the value that it is given.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setting {
     /// The quantity.
     pub variable: Variable,
     /// Its value, in the unit of its name.
     pub value: f64,
-}
-
-impl PartialEq for Setting {
-    fn eq(&self, other: &Self) -> bool {
-        (self.variable.name, self.value) == (other.variable.name, other.value)
-    }
 }
 
 impl fmt::Display for Setting {
@@ -46,60 +31,26 @@ impl fmt::Display for Setting {
     }
 }
 
-const fn parameter(name: &'static str, set: fn(&mut Parameters, f64)) -> Variable {
-    let set = Set::Parameter(set);
-    Variable { name, set }
-}
-
-const fn coefficient(name: &'static str, set: fn(&mut Coefficients, f64)) -> Variable {
-    let set = Set::Coefficient(set);
-    Variable { name, set }
-}
+/// What is common to x, y and θ, by the name for x alone.
+const COMMON: [(&str, &str); 3] = [("f_x", "f"), ("omega_x", "omega_n"), ("zeta_x", "zeta")];
 
 impl Variable {
     /// The angle of attack, in degrees.
     pub const ANGLE: Variable = Variable {
         name: "alpha_deg",
-        set: Set::Angle,
+        unit: Unit::Degree,
+        quantities: &[],
     };
 
     /// All of them.
-    pub const ALL: [Variable; 30] = [
-        Variable::ANGLE,
-        parameter("D", |p, value| p.reference_dimension = value),
-        parameter("m", |p, value| p.mass = value),
-        parameter("r", |p, value| p.radius_of_gyration = value),
-        parameter("L_g", |p, value| p.mass_centre_distance = value),
-        parameter("alpha_g_deg", |p, value| {
-            p.mass_centre_angle = value.to_radians()
-        }),
-        parameter("alpha_g", |p, value| p.mass_centre_angle = value),
-        parameter("L_a", |p, value| p.aerodynamic_centre_distance = value),
-        parameter("gamma_r_deg", |p, value| {
-            p.aerodynamic_centre_angle = value.to_radians()
-        }),
-        parameter("gamma_r", |p, value| p.aerodynamic_centre_angle = value),
-        parameter("f", |p, value| p.natural_frequencies = [TAU * value; 3]),
-        parameter("f_x", |p, value| p.natural_frequencies[0] = TAU * value),
-        parameter("f_y", |p, value| p.natural_frequencies[1] = TAU * value),
-        parameter("f_theta", |p, value| p.natural_frequencies[2] = TAU * value),
-        parameter("omega_n", |p, value| p.natural_frequencies = [value; 3]),
-        parameter("omega_x", |p, value| p.natural_frequencies[0] = value),
-        parameter("omega_y", |p, value| p.natural_frequencies[1] = value),
-        parameter("omega_theta", |p, value| p.natural_frequencies[2] = value),
-        parameter("zeta", |p, value| p.damping_ratios = [value; 3]),
-        parameter("zeta_x", |p, value| p.damping_ratios[0] = value),
-        parameter("zeta_y", |p, value| p.damping_ratios[1] = value),
-        parameter("zeta_theta", |p, value| p.damping_ratios[2] = value),
-        parameter("rho", |p, value| p.air_density = value),
-        parameter("U", |p, value| p.wind_speed = value),
-        coefficient("C_D", |c, value| c.drag = value),
-        coefficient("C_L", |c, value| c.lift = value),
-        coefficient("C_M", |c, value| c.moment = value),
-        coefficient("dC_D", |c, value| c.drag_slope = value),
-        coefficient("dC_L", |c, value| c.lift_slope = value),
-        coefficient("dC_M", |c, value| c.moment_slope = value),
-    ];
+    pub fn all() -> impl Iterator<Item = Self> {
+        let are_alike = |one: &Quantity, other: &Quantity| {
+            let [one, other] = [one, other].map(|own| own.row().unit);
+            one == other && matches!(one, Unit::Hertz | Unit::Fraction)
+        };
+        let groups = Quantity::ALL.chunk_by(are_alike);
+        std::iter::once(Variable::ANGLE).chain(groups.flat_map(names_of))
+    }
 
     /// The variable with a name.
     ///
@@ -110,48 +61,90 @@ impl Variable {
     /// assert!(Variable::named("L_q").is_none());
     /// ```
     pub fn named(name: &str) -> Option<Self> {
-        Variable::ALL.into_iter().find(|own| own.name == name)
+        Variable::all().find(|own| own.name == name)
     }
 
     /// Whether it is the angle of attack.
     pub fn is_angle(self) -> bool {
-        matches!(self.set, Set::Angle)
+        self.quantities.is_empty()
     }
 
     /// Whether it and another one set the same quantity: then their order matters.
     pub(super) fn clashes(self, other: Variable) -> bool {
-        let mut one = Parameters::default();
-        let mut two = Parameters::default();
-        self.set(&mut one, 1.0);
-        other.set(&mut one, 2.0);
-        other.set(&mut two, 2.0);
-        self.set(&mut two, 1.0);
-        one != two || self.name == other.name
+        let mut quantities = self.quantities.iter();
+        quantities.any(|own| other.quantities.contains(own)) || self.name == other.name
     }
 
     /// Whether it sets nothing of a section but what belongs to coordinates that are held.
     pub(super) fn is_held(self, parameters: &Parameters) -> bool {
-        if self.is_angle() {
-            return false;
-        }
-        let mut changed = *parameters;
-        self.set(&mut changed, f64::INFINITY);
-        for coordinate in Coordinate::ALL {
-            if !parameters.free.as_slice().contains(&coordinate) {
-                let place = coordinate.index();
-                changed.natural_frequencies[place] = parameters.natural_frequencies[place];
-                changed.damping_ratios[place] = parameters.damping_ratios[place];
-            }
-        }
-        changed == *parameters
+        let mut quantities = self.quantities.iter();
+        !self.is_angle() && quantities.all(|own| !own.is_used(parameters.free))
     }
 
     /// Gives it a value; the angle of attack is for the case to set, with the coefficients there.
     pub(super) fn set(self, parameters: &mut Parameters, value: f64) {
-        match (self.set, &mut parameters.forces) {
-            (Set::Parameter(set), _) => set(parameters, value),
-            (Set::Coefficient(set), Forces::Coefficients(coefficients)) => set(coefficients, value),
-            (Set::Coefficient(_), Forces::ScaledDamping(_)) | (Set::Angle, _) => {}
+        for own in self.quantities {
+            own.set(parameters, self.unit.to_si(value));
+        }
+    }
+}
+
+/// The names of quantities that may have one value in common: those of a case file before those of the command line.
+fn names_of(group: &'static [Quantity]) -> Vec<Variable> {
+    let mut all = Vec::new();
+    for is_in_case in [true, false] {
+        for (own, quantities) in group.iter().zip(group.chunks(1)) {
+            let Some((name, unit)) = spelling(*own, is_in_case) else {
+                continue;
+            };
+            let variable = |name, quantities| Variable {
+                name,
+                unit,
+                quantities,
+            };
+            let common = COMMON.iter().find(|(first, _)| *first == name);
+            all.extend(common.map(|(_, name)| variable(name, group)));
+            all.push(variable(name, quantities));
+        }
+    }
+    all
+}
+
+/// The name and the unit of a quantity in a case file, or on the command line where it is another one.
+fn spelling(own: Quantity, is_in_case: bool) -> Option<(&'static str, Unit)> {
+    let row = own.row();
+    match (row.source, is_in_case) {
+        (Source::Key(key), true) => Some((key.name, row.unit)),
+        (Source::Key(key), false) if key.name == row.name => None,
+        (Source::Key(_) | Source::Table, false) => Some((row.name, Unit::Si)),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_sets_one_quantity_or_that_of_all_coordinates() {
+        let set = |name: &str, value| {
+            let mut parameters = Parameters::default();
+            let variable = Variable::named(name).expect("a variable");
+            variable.set(&mut parameters, value);
+            parameters
+        };
+        for (name, value, other, same) in [
+            ("alpha_g_deg", 180.0, "alpha_g", std::f64::consts::PI),
+            ("f_y", 1.0, "omega_y", std::f64::consts::TAU),
+            ("f", 2.0, "omega_n", 2.0 * std::f64::consts::TAU),
+        ] {
+            assert_eq!(set(name, value), set(other, same), "{name}");
+        }
+        assert_eq!(set("omega_n", 3.0).natural_frequencies, [3.0; 3]);
+        assert_eq!(set("zeta", 0.1).damping_ratios, [0.1; 3]);
+        assert_eq!(set("L_a", 0.3).aerodynamic_centre_distance, 0.3);
+        for name in ["alpha_0", "theta_0", "S_xx"] {
+            assert!(Variable::named(name).is_none(), "{name}");
         }
     }
 }

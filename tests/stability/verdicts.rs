@@ -6,7 +6,7 @@ use sextic::algebra::number::Rational;
 use sextic::compile::fixed::Fixed;
 use sextic::stability::exact_section::ExactSection;
 use sextic::stability::model::Model;
-use sextic::stability::quantities::parameters;
+use sextic::stability::quantity::parameters;
 use sextic::stability::section::{Parameters, Section};
 use sextic::stability::state_matrix;
 use sextic::stability::verdict::{Doubt, Proof, Verdict, exact_verdict, verdict};

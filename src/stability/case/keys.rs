@@ -1,42 +1,15 @@
-//! The keys of a case file: what is known, what is not, and on which line.
+//! The keys of a case file: what is known, what is not, what is missing, and on which line.
 
 use std::collections::BTreeMap;
 
 use toml::de::{DeTable, DeValue};
 
+use crate::stability::coordinate::{Coordinate, FreeCoordinates};
 use crate::stability::input::{InputError, Place, meant, quoted, shortened};
+use crate::stability::quantity::{Key, Owner, Quantity, Source, Unit};
 
-/// The tables of a case file and their keys.
-pub(super) const KEYS: [(&str, &[&str]); 4] = [
-    (
-        "section",
-        &[
-            "D",
-            "m",
-            "r",
-            "L_g",
-            "alpha_g_deg",
-            "L_a",
-            "gamma_r_deg",
-            "coefficients",
-            "interpolation",
-        ],
-    ),
-    (
-        "structure",
-        &[
-            "f_x",
-            "f_y",
-            "f_theta",
-            "zeta_x",
-            "zeta_y",
-            "zeta_theta",
-            "free",
-        ],
-    ),
-    ("wind", &["rho", "U", "aerodynamic_stiffness"]),
-    ("sweep", &["alpha_deg", "turn"]),
-];
+/// The tables of a case file.
+const TABLES: [&str; 4] = ["section", "structure", "wind", "sweep"];
 
 /// How the angles of a sweep are written.
 pub(super) const SWEEP: &str =
@@ -45,59 +18,109 @@ pub(super) const SWEEP: &str =
 /// The keys of `alpha_deg` in `[sweep]`.
 const STEPS: [&str; 3] = ["from", "to", "step"];
 
-/// Names that leave a unit open or mean another one, and what to write instead.
-const OTHER_UNITS: [(&str, &str); 11] = [
-    ("alpha_g", "alpha_g_deg, in degrees"),
-    ("gamma_r", "gamma_r_deg, in degrees"),
-    ("alpha", "alpha_deg, in degrees"),
-    ("alpha_g_rad", "alpha_g_deg, in degrees"),
-    ("gamma_r_rad", "gamma_r_deg, in degrees"),
-    ("alpha_rad", "alpha_deg, in degrees"),
-    ("omega_x", "f_x, in Hz"),
-    ("omega_y", "f_y, in Hz"),
-    ("omega_theta", "f_theta, in Hz"),
-    ("alpha_0", "turn = \"wind\" in [sweep], which sweeps it"),
-    ("theta_0", "turn = \"section\" in [sweep], which sweeps it"),
+/// The keys that are no quantities.
+const OTHERS: [Key; 6] = [
+    Key::new("section", "coefficients", Some("the file of the table")),
+    Key::new("section", "interpolation", Some("\"cubic\" or \"linear\"")),
+    Key::new("structure", "free", None),
+    Key::new("wind", "aerodynamic_stiffness", None),
+    Key::new(
+        "sweep",
+        "alpha_deg",
+        Some("{ from = 0, to = 180, step = 0.5 }"),
+    ),
+    Key::new(
+        "sweep",
+        "turn",
+        Some("\"section\" or \"wind\", what turns with alpha"),
+    ),
 ];
+
+/// All keys, each table's in their order.
+fn keys() -> impl Iterator<Item = Key> {
+    let quantities = Quantity::ALL.iter().filter_map(|own| own.key());
+    quantities.chain(OTHERS)
+}
+
+/// The keys that are needed with these free coordinates, in their order: a frequency and a ratio for each coordinate.
+fn needed(free: FreeCoordinates) -> Vec<Key> {
+    let turns = free.as_slice().contains(&Coordinate::Theta);
+    let is_needed =
+        |own: &Quantity| own.is_used(free) && (turns || own.row().owner != Owner::Lever);
+    let mut quantities: Vec<_> = Quantity::ALL.iter().copied().filter(is_needed).collect();
+    quantities.sort_by_key(|own| own.row().owner);
+    let keys = quantities.into_iter().filter_map(Quantity::key);
+    let mut keys: Vec<Key> = keys.chain(OTHERS).collect();
+    keys.retain(|key| key.holds.is_some());
+    keys.sort_by_key(|key| TABLES.iter().position(|table| *table == key.table));
+    keys
+}
+
+/// What to write instead of a name that leaves a unit open or means another one.
+fn instead(name: &str) -> Option<String> {
+    let named = |name: &str| Quantity::named(name).map(|own| (own.row().unit, own.row().source));
+    let angle = || named(name.strip_suffix("_rad")?);
+    let in_degrees = angle().filter(|own| matches!(own, (Unit::Degree, Source::Key(_))));
+    match named(name).or(in_degrees) {
+        Some((Unit::Degree, Source::Key(key))) => Some(format!("{}, in degrees", key.name)),
+        Some((Unit::Hertz, Source::Key(key))) => Some(format!("{}, in Hz", key.name)),
+        Some((_, Source::Sweep(turn))) => {
+            Some(format!("turn = \"{turn}\" in [sweep], which sweeps it"))
+        }
+        _ if matches!(name, "alpha" | "alpha_rad") => Some("alpha_deg, in degrees".into()),
+        _ => None,
+    }
+}
 
 /// The lines of the keys of a case file, from 1.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Lines(BTreeMap<(String, String), usize>);
 
 impl Lines {
+    /// The line of a key; that of a table has no name.
+    fn line(&self, table: &str, key: &str) -> Option<usize> {
+        self.0.get(&(table.to_string(), key.to_string())).copied()
+    }
+
     /// The line of a key, or of its table, as a place in a file.
     pub(super) fn place(&self, file: &str, table: &str, key: &str) -> Place {
-        let at = |key: &str| self.0.get(&(table.to_string(), key.to_string()));
-        match at(key).or_else(|| at("")) {
-            Some(&line) => Place::line(file, line),
-            None => Place::file(file),
-        }
+        let line = self.line(table, key).or_else(|| self.line(table, ""));
+        line.map_or_else(|| Place::file(file), |line| Place::line(file, line))
+    }
+
+    /// Refuses a file in which keys are missing, with all of them.
+    pub(super) fn check_needed(&self, file: &str, free: FreeCoordinates) -> Result<(), InputError> {
+        let mut missing = needed(free);
+        missing.retain(|key| self.line(key.table, key.name).is_none());
+        let Some(first) = missing.first() else {
+            return Ok(());
+        };
+        let lacks = |keys: &[Key]| {
+            let names: Vec<&str> = keys.iter().map(|key| key.name).collect();
+            format!("[{}] lacks {}", keys[0].table, names.join(", "))
+        };
+        let tables = missing.chunk_by(|one, other| one.table == other.table);
+        let what = tables.map(lacks).collect::<Vec<_>>().join("; ");
+        let holds = |key: &Key| format!("{}, {}", key.name, key.holds.unwrap_or_default());
+        let help = missing.iter().map(holds).collect::<Vec<_>>().join("; ");
+        let place = self.place(file, first.table, "");
+        Err(InputError::new(place, what, format!("give {help}")))
     }
 }
 
-/// Refuses what is no TOML, and tables and keys that are not known.
-pub(super) fn check_keys(file: &str, text: &str) -> Result<Lines, InputError> {
-    let document = DeTable::parse(text).map_err(|error| not_read(file, text, &error))?;
-    let tables: Vec<&str> = KEYS.iter().map(|(table, _)| *table).collect();
+/// Refuses tables and keys that are not known.
+pub(super) fn check_keys(
+    file: &str,
+    text: &str,
+    document: &DeTable<'_>,
+) -> Result<Lines, InputError> {
     let mut lines = Lines::default();
-    for (table, content) in document.get_ref() {
+    for (table, content) in document {
         let (name, line) = (table.get_ref().as_ref(), line_of(text, table.span().start));
         let place = Place::line(file, line);
-        let Some((_, keys)) = KEYS.iter().find(|(known, _)| *known == name) else {
-            let home = KEYS.iter().find(|(_, keys)| keys.contains(&name));
-            return Err(match home {
-                Some((home, _)) => InputError::new(
-                    place,
-                    format!("`{name}` stands outside of its table"),
-                    format!("put it below the line [{home}]"),
-                ),
-                None => InputError::new(
-                    place,
-                    format!("there is no table [{}]", quoted(name)),
-                    meant(name, &tables),
-                ),
-            });
-        };
+        if !TABLES.contains(&name) {
+            return Err(no_table(place, name));
+        }
         let DeValue::Table(content) = content.get_ref() else {
             return Err(InputError::new(
                 place,
@@ -106,18 +129,34 @@ pub(super) fn check_keys(file: &str, text: &str) -> Result<Lines, InputError> {
             ));
         };
         lines.0.insert((name.into(), String::new()), line);
-        check_table(file, text, name, content, keys, &mut lines)?;
+        let keys = keys().filter(|key| key.table == name).map(|key| key.name);
+        let keys: Vec<&str> = keys.collect();
+        check_table(file, text, name, content, &keys, &mut lines)?;
     }
-    for (table, _) in KEYS {
-        if !lines.0.contains_key(&(table.into(), String::new())) {
-            return Err(InputError::new(
-                Place::file(file),
-                format!("the table [{table}] is missing"),
-                "a case file has the tables [section], [structure], [wind] and [sweep]",
-            ));
-        }
+    match TABLES.iter().find(|table| lines.line(table, "").is_none()) {
+        None => Ok(lines),
+        Some(table) => Err(InputError::new(
+            Place::file(file),
+            format!("the table [{table}] is missing"),
+            "a case file has the tables [section], [structure], [wind] and [sweep]",
+        )),
     }
-    Ok(lines)
+}
+
+/// A table that is not known, or a key outside of its table.
+fn no_table(place: Place, name: &str) -> InputError {
+    match keys().find(|key| key.name == name) {
+        Some(key) => InputError::new(
+            place,
+            format!("`{name}` stands outside of its table"),
+            format!("put it below the line [{}]", key.table),
+        ),
+        None => InputError::new(
+            place,
+            format!("there is no table [{}]", quoted(name)),
+            meant(name, &TABLES),
+        ),
+    }
 }
 
 fn check_table(
@@ -132,8 +171,8 @@ fn check_table(
         let (name, line) = (key.get_ref().as_ref(), line_of(text, key.span().start));
         if !keys.contains(&name) {
             let what = format!("there is no key `{}` in [{table}]", quoted(name));
-            let help = match OTHER_UNITS.iter().find(|(other, _)| *other == name) {
-                Some((_, instead)) => format!("write {instead}"),
+            let help = match instead(name) {
+                Some(instead) => format!("write {instead}"),
                 None => meant(name, keys),
             };
             return Err(InputError::new(Place::line(file, line), what, help));
