@@ -1,12 +1,15 @@
 //! Exact modes: the roots of the characteristic polynomial without an eigenvalue routine.
 
 use std::fmt;
+use std::iter::once;
 
 use num_complex::Complex;
 use sextic_evaluators::bounded::Bounded;
 use sextic_evaluators::exact_modes::{ExactModesInputs, Modes, exact_modes};
 
-use super::eigenvalue::{Eigenvalue, Spectrum};
+use super::ball::Ball;
+use super::eigenvalue::{Eigenvalue, Spectrum, best_spectrum};
+use super::enclosure::error_bounds;
 use super::error::StabilityError;
 use super::model::{Model, given_with_bounds};
 use super::section::{Parameters, Section};
@@ -50,15 +53,35 @@ impl fmt::Display for Fallback {
 ///
 /// No coefficient is a difference of nearly equal numbers (`derivations/exact-modes.md`), so that real parts
 /// are as exact as the damping is given, however small it is beside the frequencies, and with any detuning.
-/// The errors are the radii of the iteration, which count the rounding of sines, cosines and the scaled damping matrix.
+/// The errors are bounded as those of the [state matrix](state_matrix::eigenvalues) are, where that gives bounds, else
+/// by the radii of the iteration. Both count the rounding of sines, cosines and the scaled damping matrix.
 ///
-/// About 1,600 operations; a shape of a mode is given by [`Mode::new`](super::tracking::Mode::new).
+/// About 1,600 operations and three Taylor expansions; a shape of a mode is given by [`Mode::new`](super::tracking::Mode::new).
 ///
 /// # Errors
 ///
 /// Those of the [state matrix](state_matrix::eigenvalues), which stands in where a coordinate is held, with
 /// aerodynamic stiffness, or where the iteration has no radius; that is told as [`Fallback`].
 pub fn eigenvalues(model: &Model) -> Result<ExactModes, StabilityError> {
+    let mut found = eigenvalues_with_radii(model)?;
+    if found.fallback.is_none() {
+        let unit = model.frequency_unit;
+        let values = found.spectrum.eigenvalues.iter();
+        let values: Vec<Complex<f64>> = values.map(|own| own.value / unit).collect();
+        let bounds = |values: &[_]| error_bounds(values, |point| model.taylor(Ball::exact(point)));
+        if let Ok(sharper) = best_spectrum(once(values), bounds, unit) {
+            found.spectrum = sharper;
+        }
+    }
+    Ok(found)
+}
+
+/// The same with the radii of the iteration, which are larger but cost nothing.
+///
+/// # Errors
+///
+/// As [`eigenvalues`].
+pub fn eigenvalues_with_radii(model: &Model) -> Result<ExactModes, StabilityError> {
     let (fallback, spectrum) = match iterated(model.section()) {
         Ok(spectrum) => (None, spectrum),
         Err(fallback) => (Some(fallback), state_matrix::eigenvalues(model)?),

@@ -66,12 +66,16 @@ pub fn rust_files(path: &Path) -> Vec<PathBuf> {
 /// The names and numbers of a source, without what stands in comments and in quotation marks.
 fn words(text: &str) -> Vec<String> {
     fn collect(tokens: TokenStream, words: &mut Vec<String>) {
+        let mut points = 0;
         for token in tokens {
+            let before = std::mem::take(&mut points);
             match token {
                 TokenTree::Group(own) => collect(own.stream(), words),
                 TokenTree::Ident(own) => words.push(own.to_string()),
-                TokenTree::Literal(own) => words.push(own.to_string()),
-                TokenTree::Punct(_) => {}
+                // Behind one point it is the place of a part: `pair.0.1` has no number 0.1.
+                TokenTree::Literal(own) if before != 1 => words.push(own.to_string()),
+                TokenTree::Punct(own) if own.as_char() == '.' => points = before + 1,
+                TokenTree::Literal(_) | TokenTree::Punct(_) => {}
             }
         }
     }
@@ -164,6 +168,7 @@ fn what_is_forbidden_is_found() {
         ("// 1.5", ""),
         ("/* 1.5 */ \"\\\"1.5\" r#\"1.5\"1.5\"#", ""),
         ("tuple.0.1 + 1.max(2) + 0..10 + 0x1e3 + 12_u8", ""),
+        ("0..1.5 + f(tuple.0)", "1.5"),
     ] {
         assert_eq!(floats(text).join(" "), found, "{text}");
     }

@@ -83,7 +83,7 @@ fn are_those_alone(found: &GridRows, sections: &[Section], range: Range<usize>) 
             "{section:?}"
         );
         let model = Model::new(section).expect("a model");
-        let modes = exact_modes::eigenvalues(&model).expect("eigenvalues");
+        let modes = exact_modes::eigenvalues_with_radii(&model).expect("eigenvalues");
         let exact = modes.spectrum.damping_coefficient(section);
         assert_eq!(
             found.exact[row].map(|own| (own.value, own.error)),

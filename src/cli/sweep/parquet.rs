@@ -15,7 +15,7 @@ use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPrope
 use parquet::file::reader::{ChunkReader, FileReader, SerializedFileReader};
 use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::record::Field;
-use parquet::schema::types::{Type, TypePtr};
+use parquet::schema::types::{ColumnPath, Type, TypePtr};
 use tempfile::NamedTempFile;
 
 use crate::cli::Outcome;
@@ -81,14 +81,20 @@ struct Format {
 impl Format {
     /// For columns like these.
     fn new(columns: &[Column]) -> io::Result<Self> {
-        // Results hardly repeat: a dictionary of them costs time and saves nothing. Groups are small enough to be read
-        // whole, and one that is copied has no index of its pages.
+        // Groups are small enough to be read whole, and one that is copied has no index of its pages.
         let mut properties = WriterProperties::builder()
             .set_dictionary_enabled(false)
             .set_statistics_enabled(EnabledStatistics::Chunk)
             .set_offset_index_disabled(true);
-        for own in columns.iter().filter(|own| is_words(&own.cells)) {
-            properties = properties.set_column_dictionary_enabled(own.name.as_str().into(), true);
+        // Words and the values of axes repeat, and are numbered. Results hardly do.
+        for own in columns {
+            let path = || ColumnPath::from(own.name.as_str());
+            if is_words(&own.cells) {
+                properties =
+                    properties.set_column_statistics_enabled(path(), EnabledStatistics::None);
+            }
+            let repeats = is_words(&own.cells) || own.is_full;
+            properties = properties.set_column_dictionary_enabled(path(), repeats);
         }
         Ok(Format {
             schema: schema(columns)?,
