@@ -5,7 +5,6 @@
 
 mod side_by_side;
 
-use std::fmt::Write as _;
 use std::hint::black_box;
 use std::io::Write as _;
 

@@ -8,6 +8,7 @@
 pub mod closeness;
 #[cfg(feature = "stability")]
 pub mod columns;
+#[cfg(feature = "stability")]
 pub mod csv;
 pub mod details;
 pub mod evaluation;

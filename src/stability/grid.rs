@@ -245,7 +245,7 @@ impl<'a> Grid<'a> {
         let nothing = f64::NAN;
         let mut parameters = self.angles[0].parameters;
         if self.axes[place].variable.is_angle() {
-            let nowhere = Coefficients::default().map(&|_: &f64| nothing);
+            let nowhere = Coefficients::default().map(|_: &f64| nothing);
             parameters = self.case.parameters_at(nothing, nowhere);
         }
         for (other, axis) in self.axes.iter().enumerate() {
