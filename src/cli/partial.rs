@@ -46,6 +46,15 @@ impl Reserved {
         fs::remove_file(&self.path)
     }
 
+    /// Nothing is written; what an earlier run left stays.
+    #[cfg(feature = "parquet")]
+    pub fn give_up(self) {
+        if self.file.metadata().is_ok_and(|known| known.len() == 0) {
+            // Where it cannot be removed an empty file stays, which is not gone on with.
+            let _ = fs::remove_file(&self.path);
+        }
+    }
+
     /// Another file stands for what is left.
     #[cfg(feature = "parquet")]
     pub fn leave(self, file: tempfile::NamedTempFile) -> io::Result<()> {

@@ -73,7 +73,7 @@ impl<T> Given<T> {
 }
 
 impl Parameters {
-    /// As [`Section::damping_coefficient`], without a check of the parameters.
+    /// As [`Section::damping_coefficient`](super::section::Section::damping_coefficient), without a check of the parameters.
     pub fn damping_coefficient(&self, real_part: f64) -> Option<f64> {
         let coefficient = damping_coefficient(&self.damping_coefficient_inputs(real_part));
         (self.wind_speed > 0.0 && coefficient.S.is_finite()).then_some(coefficient.S)

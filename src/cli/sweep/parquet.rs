@@ -67,7 +67,10 @@ pub(super) fn to_columns(
             .end()
             .and_then(|file| reserved.leave(file))
             .and(Err(error)),
-        Err(error) => Err(error),
+        Err(error) => {
+            reserved.give_up();
+            Err(error)
+        }
     };
     ended(table, path, written)
 }
