@@ -139,7 +139,7 @@ impl<T: Comparison> Reference<T> {
                 omega_0: frequency,
             },
             damping,
-            open_damping: open.C_a_12 * OPEN,
+            open_damping: open.C_a_12.magnitude() * OPEN,
             open_coupling: open.M_13.magnitude() * OPEN,
             direction_error: inputs.direction_error,
             inexact,

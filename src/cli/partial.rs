@@ -46,15 +46,6 @@ impl Reserved {
         fs::remove_file(&self.path)
     }
 
-    /// Nothing is written; what an earlier run left stays.
-    #[cfg(feature = "parquet")]
-    pub fn give_up(self) {
-        if self.file.metadata().is_ok_and(|known| known.len() == 0) {
-            // Where it cannot be removed an empty file stays, which is not gone on with.
-            let _ = fs::remove_file(&self.path);
-        }
-    }
-
     /// Another file stands for what is left.
     #[cfg(feature = "parquet")]
     pub fn leave(self, file: tempfile::NamedTempFile) -> io::Result<()> {
@@ -90,6 +81,17 @@ impl Reserved {
             (path, is_written)
         });
         found.collect()
+    }
+}
+
+impl Drop for Reserved {
+    /// What is empty is not left.
+    fn drop(&mut self) {
+        let is_empty = self.file.metadata().is_ok_and(|known| known.len() == 0);
+        if is_empty && is_at(&self.file, &self.path) {
+            // Where it cannot be removed an empty file stays, which is not gone on with.
+            let _ = fs::remove_file(&self.path);
+        }
     }
 }
 

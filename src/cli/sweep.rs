@@ -106,8 +106,8 @@ Without --worst there is a row for every combination at every angle of the case:
 example at 361 angles has 14,440,000 of them, and takes a while.
 
 An interrupted sweep says so, and leaves its rows in a file whose name ends in .part, beside
-the other one. A .parquet file has all digits; what is left of one is a Parquet file as well, but
-nothing is left where the process is killed.
+the other one. A .parquet file has all digits; what is left of one is a Parquet file as well. Where
+the process is killed nothing can be gone on with, and a file .sextic-… is left to be deleted.
 
 Examples:
   sextic sweep case.toml --vary L_g=0:0.004:200 --vary U=2:40:200 --worst --out sweep.csv

@@ -63,30 +63,39 @@ impl fmt::Display for Fallback {
 /// Those of the [state matrix](state_matrix::eigenvalues), which stands in where a coordinate is held, with
 /// aerodynamic stiffness, or where the iteration has no radius; that is told as [`Fallback`].
 pub fn eigenvalues(model: &Model) -> Result<ExactModes, StabilityError> {
-    let mut found = eigenvalues_with_radii(model)?;
-    if found.fallback.is_none() {
-        let unit = model.frequency_unit;
-        let values = found.spectrum.eigenvalues.iter();
-        let values: Vec<Complex<f64>> = values.map(|own| own.value / unit).collect();
-        let bounds = |values: &[_]| error_bounds(values, |point| model.taylor(Ball::exact(point)));
-        if let Ok(sharper) = best_spectrum(once(values), bounds, unit) {
-            found.spectrum = sharper;
-        }
-    }
-    Ok(found)
+    let (fallback, spectrum) = match iterated(model.section()) {
+        Ok(spectrum) => (None, sharper(spectrum, model)),
+        Err(fallback) => (Some(fallback), state_matrix::eigenvalues(model)?),
+    };
+    Ok(ExactModes { spectrum, fallback })
 }
 
-/// The same with the radii of the iteration, which are larger but cost nothing.
+/// The eigenvalues with the radii of the iteration, which cost nothing, where these leave nine decimals of S certain;
+/// else as [`eigenvalues`].
 ///
 /// # Errors
 ///
 /// As [`eigenvalues`].
-pub fn eigenvalues_with_radii(model: &Model) -> Result<ExactModes, StabilityError> {
-    let (fallback, spectrum) = match iterated(model.section()) {
-        Ok(spectrum) => (None, spectrum),
-        Err(fallback) => (Some(fallback), state_matrix::eigenvalues(model)?),
-    };
-    Ok(ExactModes { spectrum, fallback })
+pub fn eigenvalues_for_tables(model: &Model) -> Result<Spectrum, StabilityError> {
+    let section = model.section();
+    let are_enough = |own: &Spectrum| are_enough(own.damping_coefficient(section));
+    match iterated(section).ok().filter(are_enough) {
+        Some(spectrum) => Ok(spectrum),
+        None => Ok(eigenvalues(model)?.spectrum),
+    }
+}
+
+/// Whether an S with a bound of its error has nine certain decimals.
+pub(super) fn are_enough(coefficient: Option<(f64, f64)>) -> bool {
+    coefficient.is_some_and(|(_, error)| error <= 4e-10)
+}
+
+/// The same eigenvalues with bounds by Taylor expansions, if these give some.
+fn sharper(spectrum: Spectrum, model: &Model) -> Spectrum {
+    let unit = model.frequency_unit;
+    let values = spectrum.eigenvalues.iter().map(|own| own.value / unit);
+    let bounds = |values: &[_]| error_bounds(values, |point| model.taylor(Ball::exact(point)));
+    best_spectrum(once(values.collect()), bounds, unit).unwrap_or(spectrum)
 }
 
 fn iterated(section: &Section) -> Result<Spectrum, Fallback> {

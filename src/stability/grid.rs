@@ -21,7 +21,6 @@ use super::interpolation::CoefficientCurves;
 use super::model::Model;
 use super::section::{Coefficients, Parameters, Section};
 use super::shape::free_shape;
-use super::state_matrix;
 use super::tracking::mostly;
 use super::uniform_form::uniform_form;
 use super::variable::Variable;
@@ -107,7 +106,7 @@ fn only<T: Copy>(column: &[T], rows: &[usize]) -> Vec<T> {
         .collect()
 }
 
-/// A case at all combinations of the values of its axes, computed as it is asked for: nothing of it is kept.
+/// A case at all combinations of the values of its axes, computed as it is asked for: no row of it is kept.
 ///
 /// Points that follow each other differ in the value of one axis, the moving one. So the columns that depend on it
 /// are known once for all, and the others are the same at all of them.
@@ -276,11 +275,16 @@ impl<'a> Grid<'a> {
             return None;
         }
         let count = self.axes[self.moving].values().len() as u64;
-        let rows: Vec<Row> = (0..count).map(|point| self.row_of(point)).collect();
-        let column = |(place, is_moved): (usize, &bool)| {
-            is_moved.then(|| rows.iter().map(|row| row[place]).collect())
-        };
-        Some(Moved(is_moved.iter().enumerate().map(column).collect()))
+        let mut columns: Vec<Option<Vec<f64>>> =
+            is_moved.iter().map(|own| own.then(Vec::new)).collect();
+        for row in (0..count).map(|point| self.row_of(point)) {
+            for (column, value) in columns.iter_mut().zip(row) {
+                if let Some(column) = column {
+                    column.push(value);
+                }
+            }
+        }
+        Some(Moved(columns))
     }
 
     /// The case at all angles, which must be in the table.
@@ -521,7 +525,7 @@ impl<'a> Grid<'a> {
         if !self.methods.exact || found.exact[row].is_some() {
             return;
         }
-        if let Ok(spectrum) = state_matrix::eigenvalues(&model) {
+        if let Ok(spectrum) = exact_modes::eigenvalues(&model).map(|own| own.spectrum) {
             found.exact[row] = spectrum.damping_coefficient(section).map(value);
             let modes = modes_of(&model, &spectrum)
                 .into_iter()
@@ -566,6 +570,9 @@ fn exact(
         return (None, None);
     };
     let coefficient = damping_coefficient(p, largest_real_part(&found));
+    if !exact_modes::are_enough(coefficient) {
+        return (None, None);
+    }
     let critical = found.iter().map(|own| own.value);
     let critical = critical.max_by(|one, other| one.re.total_cmp(&other.re));
     (

@@ -69,10 +69,8 @@ fn roots_of_the_characteristic_polynomial_are_as_exact_as_they_say() {
 }
 
 #[test]
-fn radii_of_exact_modes_are_as_exact_as_they_say() {
-    is_as_exact_as_it_says(5, 50, |model| {
-        exact_modes::eigenvalues_with_radii(model).map(|modes| modes.spectrum)
-    });
+fn eigenvalues_for_tables_are_as_exact_as_they_say() {
+    is_as_exact_as_it_says(5, 50, exact_modes::eigenvalues_for_tables);
 }
 
 #[test]

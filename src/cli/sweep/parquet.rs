@@ -25,13 +25,19 @@ use crate::cli::partial::{Left, Reserved};
 use crate::report::columns::{Cells, Column};
 
 use super::rows::{Sizes, Table, compute};
-use super::written::{FOLDER, ended, told, unwritable};
+use super::written::{AGAIN, FOLDER, ended, told, unwritable};
 
 /// A part becomes a row group.
-const GROUPS: Sizes = Sizes {
-    block: 1 << 18,
-    part: 1 << 16,
-};
+fn groups_at_once() -> Sizes {
+    Sizes {
+        points: 1 << 16,
+        fewest_rows: 1 << 12,
+        parts: rayon::current_num_threads() as u64,
+    }
+}
+
+/// What helps where nothing is left.
+const ANEW: &str = "give the same command again: nothing is left of the rows that were computed";
 
 /// Computes a table and writes it as columns.
 ///
@@ -60,19 +66,23 @@ pub(super) fn to_columns(
         .map_err(|error| cannot_begin(&error))?;
     let done = told(Some(&reserved), left);
     let write = |parts: Vec<io::Result<Bytes>>| groups.add(parts).map(|()| true);
-    let computed = compute(table, done, GROUPS, |parts| format.group(parts), write);
-    let written = match computed {
-        Ok(()) => groups.end().and_then(|file| reserved.finish(file)),
-        Err(error) if error.kind() == io::ErrorKind::Interrupted => groups
-            .end()
-            .and_then(|file| reserved.leave(file))
-            .and(Err(error)),
-        Err(error) => {
-            reserved.give_up();
-            Err(error)
+    let computed = compute(
+        table,
+        done,
+        groups_at_once(),
+        |parts| format.group(parts),
+        write,
+    );
+    let are_there = groups.rows > 0;
+    let (written, help) = match computed {
+        Ok(()) => (groups.end().and_then(|file| reserved.finish(file)), ANEW),
+        Err(error) if error.kind() == io::ErrorKind::Interrupted && are_there => {
+            let left = groups.end().and_then(|file| reserved.leave(file));
+            (left.and(Err(error)), AGAIN)
         }
+        Err(error) => (Err(error), ANEW),
     };
-    ended(table, path, written)
+    ended(table, path, written, help)
 }
 
 /// How columns are written.
@@ -130,12 +140,13 @@ impl Format {
 /// Row groups on their way to a file.
 struct Groups {
     writer: SerializedFileWriter<NamedTempFile>,
+    rows: i64,
 }
 
 impl Groups {
     fn new(reserved: &Reserved, format: &Format) -> io::Result<Self> {
         let writer = format.writer(staged(reserved.folder())?)?;
-        Ok(Groups { writer })
+        Ok(Groups { writer, rows: 0 })
     }
 
     /// Copies the groups of an earlier run, if its last row is the one that is to stand there.
@@ -150,7 +161,9 @@ impl Groups {
             return Ok(Left::Nothing);
         }
         let expected = (rows <= table.count()).then(|| table.columns(rows - 1..rows));
-        if last_row(&earlier)? != expected.map(|own| fields(&own)) {
+        // One that cannot be read is not as this program writes it.
+        let last = last_row(&earlier).ok().flatten();
+        if last != expected.map(|own| fields(&own)) {
             return Ok(Left::Useless(rows));
         }
         for group in groups {
@@ -173,6 +186,7 @@ impl Groups {
             columns.append_column(earlier, chunk)?;
         }
         columns.close()?;
+        self.rows += group.num_rows();
         Ok(())
     }
 

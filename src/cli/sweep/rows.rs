@@ -14,9 +14,6 @@ use crate::stability::system::sweep::Sweep;
 /// About so many points are computed at a time: their columns stay near a core.
 const AT_ONCE: u64 = 1024;
 
-/// The fewest rows of a block, so that all cores have some.
-const FEWEST_ROWS: u64 = 64;
-
 /// Whether the user wants to stop.
 static IS_INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
@@ -25,11 +22,15 @@ pub(super) fn await_interruption() {
     let _ = ctrlc::set_handler(|| IS_INTERRUPTED.store(true, Ordering::Relaxed));
 }
 
-/// About how many points are computed between writes, and how many of them by one core.
+/// How much is computed between writes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sizes {
-    pub block: u64,
-    pub part: u64,
+    /// About so many points are a part, which one core computes.
+    pub points: u64,
+    /// A part has no fewer rows, however many points they take.
+    pub fewest_rows: u64,
+    /// The parts of a block.
+    pub parts: u64,
 }
 
 /// Rows that are computed one after the other, each by its number alone.
@@ -86,8 +87,8 @@ pub(super) fn compute<P: Send>(
     mut write: impl FnMut(Vec<P>) -> io::Result<bool>,
 ) -> io::Result<()> {
     let progress = progress(table.count(), from);
-    let rows = |points: u64| (points / table.points_in_a_row()).max(1);
-    let (block, part) = (rows(sizes.block).max(FEWEST_ROWS), rows(sizes.part));
+    let part = (sizes.points / table.points_in_a_row()).max(sizes.fewest_rows);
+    let block = part * sizes.parts;
     let mut next = from;
     while next < table.count() {
         let end = (next + block).min(table.count());

@@ -15,15 +15,17 @@ use super::rows::{Sizes, Table, await_interruption, compute};
 
 /// How text is written.
 const TEXT: Sizes = Sizes {
-    block: 1 << 14,
-    part: 1 << 10,
+    points: 1 << 10,
+    fewest_rows: 4,
+    parts: 16,
 };
 
 /// What helps where a file cannot be made.
 pub(super) const FOLDER: &str = "name a file in a folder that is there and that you may write to, and to which no other sweep writes";
 
 /// What helps where a file cannot be written to.
-const AGAIN: &str = "give the same command again to go on with the rows that were written";
+pub(super) const AGAIN: &str =
+    "give the same command again to go on with the rows that were written";
 
 /// Computes a table, and writes it to a file or to standard output; what it rests on tells it from others.
 pub(super) fn written(table: &dyn Table, out: Option<&Path>, identity: &[String]) -> Outcome {
@@ -75,7 +77,7 @@ fn to_text(table: &dyn Table, path: &Path, identity: &str) -> Result<Outcome, Ou
     let done = told(partial.reserved(), left);
     let write = |parts: Vec<String>| partial.write(&parts.concat()).map(|()| true);
     let written = compute(table, done, TEXT, text, write).and_then(|()| partial.finish());
-    ended(table, path, written)
+    ended(table, path, written, AGAIN)
 }
 
 /// Says what an earlier run left, and gives the number of rows to go on from.
@@ -110,6 +112,7 @@ pub(super) fn ended(
     table: &dyn Table,
     path: &Path,
     written: io::Result<()>,
+    help: &str,
 ) -> Result<Outcome, Outcome> {
     match written {
         Ok(()) => Ok(finish(
@@ -121,9 +124,9 @@ pub(super) fn ended(
                 "the sweep was interrupted: `{}` is not there yet",
                 path.display()
             ),
-            AGAIN,
+            help,
         )),
-        Err(error) => Err(unwritable(path, &error, AGAIN)),
+        Err(error) => Err(unwritable(path, &error, help)),
     }
 }
 

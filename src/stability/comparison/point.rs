@@ -98,7 +98,7 @@ pub(in crate::stability) struct Answers {
 impl Answers {
     pub(in crate::stability) fn new(section: &Section) -> Result<Self, StabilityError> {
         let model = Model::new(section)?;
-        let spectrum = exact_modes::eigenvalues_with_radii(&model)?.spectrum;
+        let spectrum = exact_modes::eigenvalues_for_tables(&model)?;
         let value = |spectrum: &Spectrum| {
             let (value, error) = spectrum.damping_coefficient(section)?;
             Some(Value { value, error })
