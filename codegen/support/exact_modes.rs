@@ -59,7 +59,7 @@ const RELATIVE: f64 = 48.0 + 16.0 / LEAST_LEADING;
 /// The least a_6 = 1 − (L_g/r)².
 const LEAST_LEADING: f64 = 1.0 / 1024.0;
 
-/// By how many times what a cosine and a sine may be wrong by a_6 may be.
+/// a_6 may be wrong by so many times what a cosine and a sine may be wrong by.
 const LEADING: f64 = 4.25;
 
 /// More of a cosine and a sine may not be open.
@@ -101,10 +101,9 @@ pub struct Modes<T> {
     pub real: [T; 3],
     /// The imaginary parts, above 0, in rad/s.
     pub frequency: [T; 3],
-    /// In 1/s: the discs about these numbers hold one of the six eigenvalues each, of all sections that
-    /// may be meant, and no frequency was
-    /// rounded by more than half a unit in its last place besides. Infinite, all three, where nothing is
-    /// known and the eigenvalues are to be found in another way.
+    /// In 1/s: the discs about these numbers hold one of the six eigenvalues each, of every section that may be
+    /// meant. Besides, no frequency was rounded by more than half a unit in its last place. Infinite, all three,
+    /// where nothing is known and the eigenvalues are to be found in another way.
     pub radius: [T; 3],
 }
 

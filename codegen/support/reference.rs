@@ -23,8 +23,8 @@ pub(super) const LARGEST: f64 = 1e6;
 /// less than 2⁻¹⁰⁷⁴, and is multiplied by no more than five other factors of at most some [`LARGEST`]².
 const UNDERFLOW: f64 = 1e-200;
 
-/// What inputs leave open counts so much more than rounding, which is so many times smaller; with some margin
-/// for its own.
+/// 1/(56u): grown by so many times, what inputs leave open is covered by the bound of rounding, 56u of the
+/// determinant of the magnitudes; with a margin for the rounding of the product.
 const OPEN: f64 = 1.001 / (TERMS * UNIT);
 
 /// A section with time counted from a reference frequency: ω_0, in 1 ≤ ω_0 < 2, is the median of the
@@ -39,7 +39,7 @@ pub(super) struct Reference<T> {
     entries: ShiftedPolynomialInputs<T>,
     /// |ρDU/(2m)·S_kk| + |2ζ_kω_k|: the terms of c_kk.
     damping: [T; 3],
-    /// What the inputs leave open of every c_jk, and of e_s and e_c, over the rounding of a unit of a determinant.
+    /// [`OPEN`] times what the inputs leave open of every c_jk, and of e_s and e_c.
     open_damping: T,
     open_coupling: T,
     /// What they leave open of a cosine and a sine.

@@ -5,7 +5,7 @@ use std::io::{self, BufRead, BufReader, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// The place beside a file where rows on their way to it are left: `sweep.csv.1f0a….part`, with what tells the
-/// computation in its name. Nobody else writes there as long as this is known.
+/// computation in its name. No other process writes there as long as this value lives.
 #[derive(Debug)]
 pub struct Reserved {
     file: File,

@@ -6,7 +6,7 @@ use std::ops::Range;
 use crate::stability::closed_form::Estimated;
 use crate::stability::comparison::Value;
 use crate::stability::coordinate::Coordinate;
-use crate::stability::grid::{Grid, Rows};
+use crate::stability::grid::Grid;
 use crate::stability::system::sweep::Sweep;
 
 /// A column of a table.
@@ -59,7 +59,7 @@ pub fn of_grid(grid: &Grid, rows: Range<u64>) -> Vec<Column> {
             name: own.name.to_string(),
             cells: Cells::Numbers(values, Digits::All),
             // No angle may be the worst.
-            is_full: !own.is_angle() || grid.rows_are() == Rows::Points,
+            is_full: !(own.is_angle() && grid.has_worst_angles()),
         });
     let (frequencies, mostly) = critical(&found.critical);
     let methods = [

@@ -90,7 +90,7 @@ impl<const N: usize> Results<N> {
     }
 
     /// The columns.
-    pub fn columns(&self) -> [&[f64]; N] {
+    fn columns(&self) -> [&[f64]; N] {
         array::from_fn(|place| &self.cells[place * self.rows..][..self.rows])
     }
 
@@ -258,9 +258,9 @@ impl<'a> Given<&'a [f64]> {
         found
     }
 
-    /// The exact modes: real parts, frequencies and radii, three each. Directions and S_a are open by so much.
-    pub fn exact_modes(&self, s_a: &Matrix<&[f64]>, open: [&[f64]; 2]) -> Results<9> {
-        let mut found = Results::new(self.rows());
+    /// The exact modes of each; directions and S_a are open by so much.
+    pub fn exact_modes(&self, s_a: &Matrix<&[f64]>, open: [&[f64]; 2]) -> Vec<Modes<f64>> {
+        let mut found = Results::<9>::new(self.rows());
         let [a, b, c, d, e, f, g, h, i] = found.columns_mut();
         let mut outputs = Modes {
             real: [a, b, c],
@@ -269,7 +269,15 @@ impl<'a> Given<&'a [f64]> {
         };
         let inputs = self.exact_modes_inputs(s_a, open);
         computed(exact_modes_batch(&inputs, &mut outputs, Mode::Strict));
-        found
+        let modes = |row: usize| {
+            let [a, b, c, d, e, f, g, h, i] = found.columns().map(|own| own[row]);
+            Modes {
+                real: [a, b, c],
+                frequency: [d, e, f],
+                radius: [g, h, i],
+            }
+        };
+        (0..self.rows()).map(modes).collect()
     }
 }
 

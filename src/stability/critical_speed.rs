@@ -196,8 +196,8 @@ const MOST_PRODUCTS: u64 = 1_000_000;
 
 /// The wind speeds at which a section is stable and unstable, above 0 and up to `highest` in m/s.
 ///
-/// The characteristic polynomial is a polynomial in U with exact coefficients, and so are Hurwitz'
-/// determinants. On a range of speeds they are above 0, or one is below, if their Bernstein coefficients
+/// The characteristic polynomial is a polynomial in U whose coefficients are enclosed first, and exact where enclosures
+/// leave something open; so are Hurwitz' determinants. On a range of speeds they are above 0, or one is below, if their Bernstein coefficients
 /// are; a range on which neither is so is halved, down to 2⁻⁴⁰ of the speeds in it. What is left is a
 /// critical speed where the last determinant but one, which alone vanishes where a pair of roots becomes
 /// imaginary (Orlando), is monotonous and the earlier ones are above 0. Else the roots are compared with lines

@@ -1,5 +1,9 @@
 //! A case at all combinations of values of some of its quantities.
 
+mod rows;
+
+pub use rows::GridRows;
+
 use std::f64::consts::TAU;
 use std::ops::Range;
 
@@ -13,7 +17,7 @@ use super::columns::{Columns, Row};
 use super::companion;
 use super::comparison::{NO_WIND, Value, angle, modes_of};
 use super::coordinate::Coordinate;
-use super::eigenvalue::{damping_coefficient, largest_real_part};
+use super::eigenvalue::{Spectrum, damping_coefficient, largest_real_part};
 use super::exact_modes;
 use super::given::Given;
 use super::input::{InputError, Place};
@@ -48,62 +52,6 @@ pub enum Rows {
     Points,
     /// A combination of values: the angle with the smallest S.
     WorstAngles,
-}
-
-/// What the methods say at points of a grid: a column a method, empty unless it is asked.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct GridRows {
-    /// The values of each axis, in order; those of the angle, in degrees, last: NaN if none is the worst.
-    pub values: Vec<Vec<f64>>,
-    /// S by the exact eigenvalues; `None` where they have no bounded answer.
-    pub exact: Vec<Option<Value>>,
-    /// S by the companion matrix.
-    pub companion: Vec<Option<Value>>,
-    /// S by the closed forms (21)–(23).
-    pub closed: Vec<Estimated>,
-    /// S by the uniform form.
-    pub uniform: Vec<Estimated>,
-    /// The frequency in Hz of the mode with the least damping, and the coordinate that moves most in it: asked for
-    /// with the exact eigenvalues.
-    pub critical: Vec<Option<(f64, Coordinate)>>,
-}
-
-impl GridRows {
-    /// Some of the rows.
-    fn only(&self, rows: &[usize]) -> Self {
-        GridRows {
-            values: self.values.iter().map(|own| only(own, rows)).collect(),
-            exact: only(&self.exact, rows),
-            companion: only(&self.companion, rows),
-            closed: only(&self.closed, rows),
-            uniform: only(&self.uniform, rows),
-            critical: only(&self.critical, rows),
-        }
-    }
-
-    /// S by the first method that is asked, of exact eigenvalues, companion matrix, uniform and closed forms;
-    /// infinite where it has no answer.
-    fn leading(&self) -> Vec<f64> {
-        let values =
-            |own: &[Option<Value>]| own.iter().map(|own| own.map(|own| own.value)).collect();
-        let estimates = |own: &[Estimated]| own.iter().map(|own| own.value).collect();
-        let columns: [Vec<Option<f64>>; 4] = [
-            values(&self.exact),
-            values(&self.companion),
-            estimates(&self.uniform),
-            estimates(&self.closed),
-        ];
-        let asked = columns.into_iter().find(|own| !own.is_empty());
-        let sizes = asked.into_iter().flatten();
-        sizes.map(|own| own.unwrap_or(f64::INFINITY)).collect()
-    }
-}
-
-/// Some entries of a column that may be empty.
-fn only<T: Copy>(column: &[T], rows: &[usize]) -> Vec<T> {
-    rows.iter()
-        .filter_map(|row| column.get(*row).copied())
-        .collect()
 }
 
 /// A case at all combinations of the values of its axes, computed as it is asked for: no row of it is kept.
@@ -360,9 +308,9 @@ impl<'a> Grid<'a> {
         self.methods
     }
 
-    /// What a row stands for.
-    pub fn rows_are(&self) -> Rows {
-        self.rows
+    /// Whether a row is that of the worst angle, which there may not be.
+    pub fn has_worst_angles(&self) -> bool {
+        self.rows == Rows::WorstAngles
     }
 
     /// How many rows there are.
@@ -391,7 +339,7 @@ impl<'a> Grid<'a> {
         let found = self.points(rows.start * points..rows.end * points);
         match self.rows {
             Rows::Points => found,
-            Rows::WorstAngles => worst(&found, points as usize),
+            Rows::WorstAngles => found.worst_of_each(points as usize),
         }
     }
 
@@ -410,10 +358,9 @@ impl<'a> Grid<'a> {
         if self.methods.exact {
             let [direction, damping] = self.open(&points);
             let modes = given.exact_modes(&s_a, [&direction, &damping]);
-            let rows = 0..given.rows();
-            (found.exact, found.critical) = rows
-                .map(|row| exact(&columns.row(row), modes.columns(), row))
-                .unzip();
+            let modes = modes.iter().enumerate();
+            let exact = modes.map(|(row, modes)| exact(&columns.row(row), modes));
+            (found.exact, found.critical) = exact.unzip();
         }
         self.complete(&columns, &mut found);
         found
@@ -490,50 +437,51 @@ impl<'a> Grid<'a> {
     /// What the methods say that take one section at a time, and the exact eigenvalues where the iteration has none.
     fn complete(&self, columns: &Columns, found: &mut GridRows) {
         let rows = columns.given().rows();
-        if self.methods.companion || self.methods.uniform {
-            (found.companion, found.uniform) = (vec![None; rows], vec![Estimated::default(); rows]);
-        }
+        let Methods {
+            companion, uniform, ..
+        } = self.methods;
+        found.companion = vec![None; if companion { rows } else { 0 }];
+        found.uniform = vec![Estimated::default(); if uniform { rows } else { 0 }];
         for row in 0..rows {
             let is_open = found.exact.get(row) == Some(&None);
-            if is_open || self.methods.companion || self.methods.uniform {
-                self.complete_row(&columns.row(row).parameters, row, found);
+            if is_open || companion || uniform {
+                complete_row(&columns.row(row).parameters, row, found);
             }
         }
-        if !self.methods.companion {
-            found.companion.clear();
-        }
-        if !self.methods.uniform {
-            found.uniform.clear();
-        }
     }
+}
 
-    fn complete_row(&self, parameters: &Parameters, row: usize, found: &mut GridRows) {
-        let model = Section::new(*parameters).and_then(|section| Model::new(&section));
-        let Ok(model) = model else {
-            return;
-        };
-        let section = model.section();
-        let value = |(value, error)| Value { value, error };
-        if self.methods.uniform {
-            found.uniform[row] = Estimate::new(parameters, uniform_form(&model)).estimated();
-        }
-        if self.methods.companion {
-            let spectrum = companion::eigenvalues(&model).ok();
-            let coefficient = spectrum.and_then(|own| own.damping_coefficient(section));
-            found.companion[row] = coefficient.map(value);
-        }
-        if !self.methods.exact || found.exact[row].is_some() {
-            return;
-        }
-        if let Ok(spectrum) = exact_modes::eigenvalues(&model).map(|own| own.spectrum) {
-            found.exact[row] = spectrum.damping_coefficient(section).map(value);
-            let modes = modes_of(&model, &spectrum)
-                .into_iter()
-                .map(|(mode, _)| mode);
-            let critical = modes.max_by(|one, other| one.value.re.total_cmp(&other.value.re));
-            found.critical[row] = critical.map(|mode| (mode.frequency(), mode.mostly(section)));
-        }
+fn complete_row(parameters: &Parameters, row: usize, found: &mut GridRows) {
+    let model = Section::new(*parameters).and_then(|section| Model::new(&section));
+    let Ok(model) = model else {
+        return;
+    };
+    if let Some(own) = found.uniform.get_mut(row) {
+        *own = Estimate::new(parameters, uniform_form(&model)).estimated();
     }
+    if let Some(own) = found.companion.get_mut(row) {
+        let spectrum = companion::eigenvalues(&model).ok();
+        *own = spectrum.and_then(|spectrum| coefficient(&spectrum, &model));
+    }
+    if let Some(own @ None) = found.exact.get_mut(row)
+        && let Ok(modes) = exact_modes::eigenvalues(&model)
+    {
+        *own = coefficient(&modes.spectrum, &model);
+        found.critical[row] = critical(&modes.spectrum, &model);
+    }
+}
+
+/// S by a spectrum.
+fn coefficient(spectrum: &Spectrum, model: &Model) -> Option<Value> {
+    let (value, error) = spectrum.damping_coefficient(model.section())?;
+    Some(Value { value, error })
+}
+
+/// The frequency of the mode with the least damping, and the coordinate that moves most in it.
+fn critical(spectrum: &Spectrum, model: &Model) -> Option<(f64, Coordinate)> {
+    let modes = modes_of(model, spectrum).into_iter().map(|(mode, _)| mode);
+    let critical = modes.max_by(|one, other| one.value.re.total_cmp(&other.value.re))?;
+    Some((critical.frequency(), critical.mostly(model.section())))
 }
 
 /// What is open of the directions of a section, and of its S_a.
@@ -542,75 +490,27 @@ fn open(parameters: &Parameters) -> [f64; 2] {
     [inputs.direction_error, inputs.damping_error]
 }
 
-/// S by the exact modes of a row, and the mode with the least damping; `None` where they do not apply, or have no radii.
-fn exact(
-    given: &Given<f64>,
-    [
-        real_1,
-        real_2,
-        real_3,
-        frequency_1,
-        frequency_2,
-        frequency_3,
-        radius_1,
-        radius_2,
-        radius_3,
-    ]: [&[f64]; 9],
-    row: usize,
-) -> (Option<Value>, Option<(f64, Coordinate)>) {
-    let own = |columns: [&[f64]; 3]| columns.map(|own| own[row]);
-    let modes = Modes {
-        real: own([real_1, real_2, real_3]),
-        frequency: own([frequency_1, frequency_2, frequency_3]),
-        radius: own([radius_1, radius_2, radius_3]),
-    };
+/// S by exact modes, and the mode with the least damping; `None` where they do not apply, or their radii are too large.
+fn exact(given: &Given<f64>, modes: &Modes<f64>) -> (Option<Value>, Option<(f64, Coordinate)>) {
     let p = &given.parameters;
     let apply = p.free.are_all() && !p.aerodynamic_stiffness;
-    let Some(found) = exact_modes::eigenvalues_of(&modes).filter(|_| apply) else {
+    let Some(found) = exact_modes::eigenvalues_of(modes).filter(|_| apply) else {
         return (None, None);
     };
     let coefficient = damping_coefficient(p, largest_real_part(&found));
     if !exact_modes::are_enough(coefficient) {
         return (None, None);
     }
-    let critical = found.iter().map(|own| own.value);
-    let critical = critical.max_by(|one, other| one.re.total_cmp(&other.re));
+    let values = found.iter().map(|own| own.value);
+    let critical = values.max_by(|one, other| one.re.total_cmp(&other.re));
+    let critical = critical.map(|own| {
+        let shape = free_shape(given, own);
+        (own.im / TAU, mostly(p.free.as_slice(), &shape))
+    });
     (
         coefficient.map(|(value, error)| Value { value, error }),
-        critical.map(|own| {
-            let shape = free_shape(given, own);
-            (own.im / TAU, mostly(p.free.as_slice(), &shape))
-        }),
+        critical,
     )
-}
-
-/// Of each of several rows, as many as there are angles, that with the smallest S; no angle where no row has one.
-fn worst(found: &GridRows, angles: usize) -> GridRows {
-    let sizes = found.leading();
-    let smallest = |first: usize| {
-        let rows = first..first + angles;
-        let one = |one: usize, other: usize| {
-            if sizes[other] < sizes[one] {
-                other
-            } else {
-                one
-            }
-        };
-        rows.reduce(one).unwrap_or(first)
-    };
-    let rows: Vec<usize> = (0..sizes.len()).step_by(angles).map(smallest).collect();
-    let mut worst = found.only(&rows);
-    for (place, row) in rows.iter().enumerate() {
-        if sizes[*row] == f64::INFINITY {
-            if let Some(degrees) = worst.values.last_mut() {
-                degrees[place] = f64::NAN;
-            }
-            if let Some(critical) = worst.critical.get_mut(place) {
-                *critical = None;
-            }
-        }
-    }
-    worst
 }
 
 /// The values of an axis at points, of which so many have the same.
