@@ -1,5 +1,7 @@
 //! The highest exponents of all symbols at once.
 
+use std::collections::BTreeSet;
+
 use super::budget::{Exhausted, check_exponent};
 use super::monomial::Monomial;
 use super::polynomial::Polynomial;
@@ -16,6 +18,13 @@ const USUAL_SYMBOLS: usize = 64;
 pub(super) struct Degrees {
     /// By the index of the symbol; those beyond the end are zero.
     by_index: Vec<u32>,
+}
+
+impl Polynomial {
+    /// The symbols that occur.
+    pub fn symbols(&self) -> BTreeSet<Symbol> {
+        Degrees::of(self).iter().map(|(symbol, _)| symbol).collect()
+    }
 }
 
 impl Degrees {

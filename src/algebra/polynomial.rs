@@ -5,14 +5,13 @@ mod content;
 pub(super) mod notation;
 mod sum;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fmt;
 
 use dashu_base::Signed;
 use smallvec::{SmallVec, smallvec};
 
 use super::budget::{Exhausted, check_exponent};
-use super::degrees::Degrees;
 use super::monomial::Monomial;
 use super::number::Integer;
 use super::symbol::Symbol;
@@ -157,11 +156,6 @@ impl Polynomial {
     /// The one of `self` and `-self` whose leading coefficient is positive.
     pub(super) fn with_positive_leading(self) -> Self {
         if self.is_negative() { -&self } else { self }
-    }
-
-    /// The symbols that occur.
-    pub fn symbols(&self) -> BTreeSet<Symbol> {
-        Degrees::of(self).iter().map(|(symbol, _)| symbol).collect()
     }
 
     /// Whether `symbol` occurs.
@@ -349,7 +343,10 @@ mod tests {
         let expected = table.map(|(exponent, text)| (exponent, polynomial(text)));
         assert_eq!(sum.coefficients_in(a), BTreeMap::from(expected));
         assert_eq!(sum.coefficient_in(a, 3), polynomial("b + 2"));
-        assert_eq!(sum.symbols(), BTreeSet::from(['a', 'b', 'c'].map(symbol)));
+        assert_eq!(
+            sum.symbols(),
+            std::collections::BTreeSet::from(['a', 'b', 'c'].map(symbol))
+        );
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! `sextic sweep`: a case at all combinations of values of its quantities.
 
+mod messages;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod rows;

@@ -3,9 +3,9 @@
 mod unexpected;
 
 use super::diagnostic::Diagnostic;
+use super::keyword::is_keyword;
 use super::lexer::{LinePosition, Token, TokenKind};
 use super::name::{Aliases, DottedName};
-use super::statement_parser::is_keyword;
 use super::syntax::{Name, Span, Spanned};
 
 /// What a parser returns: the thing, or why there is none.

@@ -3,16 +3,16 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::blank;
-use super::character;
 use super::cursor::Cursor;
 use super::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
+use super::hidden;
 use super::intent::{Intent, Unread};
+use super::keyword::is_keyword;
 use super::lexer::{self, LinePosition, Token, TokenKind};
-use super::line_end::{self, unified};
+use super::line_end::unified;
 use super::markdown;
 use super::name::Aliases;
 use super::name::skeleton::skeleton;
-use super::statement_parser::is_keyword;
 use super::syntax::{Label, Span, Statement, StatementKind};
 
 /// How many bytes a document may have.
@@ -81,9 +81,9 @@ pub fn read_document(source: &SourceFile, imported: &Aliases) -> Result<Document
             .with_help("split it into documents that import each other");
         return Err(vec![error]);
     }
-    let hidden = line_end::mixed(&source.text)
+    let hidden = hidden::mixed_line_ends(&source.text)
         .into_iter()
-        .chain(character::faults(text));
+        .chain(hidden::faults(text));
     let hidden: Vec<Diagnostic> = hidden.take(MAXIMUM_DIAGNOSTICS).collect();
     if !hidden.is_empty() {
         return Err(hidden);
@@ -98,7 +98,7 @@ pub fn read_document(source: &SourceFile, imported: &Aliases) -> Result<Document
     let mut statements = Vec::new();
     let mut aliases = imported.clone();
     for block in &found.blocks {
-        let displaced = character::displaced(text, block).into_iter();
+        let displaced = hidden::displaced(text, block).into_iter();
         unread.extend(displaced.chain(blank::gaps(text, block)).map(unread_block));
         let tokens = lexer::tokens(text, block);
         for range in statement_ranges(text, &tokens) {

@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 
 use super::diagnostic::{Diagnostic, nearest};
+use super::keyword::is_keyword;
 use super::lexer::{Token, TokenKind};
 use super::name::{Aliases, DottedName};
-use super::statement_parser::is_keyword;
 use super::syntax::{Name, Span, Spanned, Statement, StatementKind};
 
 /// The words behind which names are declared, up to a colon.

@@ -6,8 +6,8 @@ mod unjudged;
 
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
-use super::character::faults;
 use super::diagnostic::{Diagnostic, DiagnosticKind};
+use super::hidden::faults;
 use super::syntax::Span;
 use unjudged::{Shown, is_nearly_ours};
 

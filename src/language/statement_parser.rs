@@ -4,6 +4,7 @@ use dashu_base::UnsignedAbs as _;
 
 use super::cursor::{Cursor, Parsed};
 use super::diagnostic::{Diagnostic, nearest};
+use super::keyword::KEYWORDS;
 use super::lexer::TokenKind;
 use super::name::DottedName;
 use super::syntax::{
@@ -11,29 +12,6 @@ use super::syntax::{
     Statement, StatementKind,
 };
 use crate::algebra::number::Rational;
-
-/// The words a statement can begin with; anywhere else they are names like others.
-const KEYWORDS: [&str; 19] = [
-    "parameter",
-    "complex",
-    "angle",
-    "coordinate",
-    "function",
-    "imaginary",
-    "assume",
-    "substitution",
-    "claim",
-    "refute",
-    "approximate",
-    "ill-formed",
-    "eigenpair",
-    "match",
-    "system",
-    "evaluator",
-    "domain",
-    "show",
-    "import",
-];
 
 /// Those of the keywords that names follow.
 const DECLARATIONS: [&str; 6] = [
@@ -44,12 +22,6 @@ const DECLARATIONS: [&str; 6] = [
     "function",
     "imaginary",
 ];
-
-/// Whether a statement can begin with this word.
-pub(crate) fn is_keyword(word: &str) -> bool {
-    // `ill-formed` is three tokens to the lexer.
-    word == "ill" || KEYWORDS.contains(&word)
-}
 
 impl Cursor<'_> {
     /// A whole statement, up to the end of the tokens.

@@ -1,13 +1,14 @@
 //! A case: a section in the wind and the angles at which it is looked at, as an engineer writes it down.
 
-use serde::Deserialize;
 use toml::de::DeTable;
 
 mod file;
 mod keys;
+mod turn;
 
 use self::file::File;
 use self::keys::{Lines, SWEEP, check_keys, not_read};
+pub use self::turn::Turn;
 use super::error::StabilityError;
 use super::input::{InputError, Place, Remark};
 use super::interpolation::Interpolation;
@@ -84,16 +85,6 @@ pub struct Angles {
     pub step: f64,
     /// What is turned.
     pub turn: Turn,
-}
-
-/// What turns when the angle of attack α = α_0 + θ_0 changes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Turn {
-    /// The section: θ_0 = α, α_0 = 0.
-    Section,
-    /// The wind: α_0 = α, θ_0 = 0.
-    Wind,
 }
 
 /// Structural damping ratios above this are taken for percentages.

@@ -16,8 +16,8 @@ use sextic_evaluators::no_wind_modes::{NoWindModesOutputs, no_wind_modes_batch};
 use sextic_evaluators::small_quantities::{SmallQuantitiesOutputs, small_quantities_batch};
 
 use super::closed_form::{Estimated, Judged, are_tuned};
-use super::equations::Matrix;
 use super::forces::Forces;
+use super::forces::Matrix;
 use super::given::Given;
 use super::limitation::Limitation;
 

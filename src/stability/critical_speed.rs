@@ -15,33 +15,10 @@ use super::in_speed::InSpeed;
 use super::input::InputError;
 use super::interpolation::CoefficientCurves;
 use super::neutral::{enclosure, may_divide, without_pairs};
-use super::speed_search::{Found, LOWEST, Part, parts};
+pub use super::speed_part::Stability;
+use super::speed_part::{Found, LOWEST, Part};
+use super::speed_search::parts;
 use super::system::arithmetic::NoValue;
-
-/// What is certain of a section at all wind speeds of a range.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stability {
-    /// All eigenvalues have negative real parts.
-    Stable,
-    /// An eigenvalue has a positive real part: the section gallops.
-    Unstable,
-    /// A real eigenvalue is above 0: static divergence, whether the section gallops beside it or not.
-    Divergent,
-    /// None of these is shown.
-    Undecided,
-}
-
-impl Stability {
-    /// `stable`, `unstable`, `divergent` or `undecided`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Stability::Stable => "stable",
-            Stability::Unstable => "unstable",
-            Stability::Divergent => "divergent",
-            Stability::Undecided => "undecided",
-        }
-    }
-}
 
 /// Wind speeds in m/s, all of one stability.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,12 +7,9 @@ use sextic_evaluators::no_wind_modes::no_wind_modes_body;
 use sextic_evaluators::section_matrices::section_matrices_body;
 use sextic_evaluators::turn_stiffness::turn_stiffness_body;
 
-use super::forces::Forces;
+use super::forces::{Forces, Matrix};
 use super::given::Given;
 use super::recorded::{self, Recorded};
-
-/// A matrix for x, y and rθ.
-pub(super) type Matrix<T> = [[T; 3]; 3];
 
 /// The matrices of a section over its mass m, for x, y and rθ (`derivations/exact-modes.md`).
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! What the wind does to a section.
 
-use super::given::Given;
-use super::section::{Coefficients, Section};
+/// A matrix for x, y and rθ.
+pub(super) type Matrix<T> = [[T; 3]; 3];
 
 /// What is known of the forces of the wind.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,7 +10,7 @@ pub enum Forces<T = f64> {
     Coefficients(Coefficients<T>),
     /// S_a, the scaled damping matrix of Eq. (18), for the coordinates x, y and rθ: the angles of the
     /// wind and of the aerodynamic centre do not matter then.
-    ScaledDamping([[T; 3]; 3]),
+    ScaledDamping(Matrix<T>),
 }
 
 impl<T> Forces<T> {
@@ -32,32 +32,45 @@ impl<T: Default> Default for Forces<T> {
     }
 }
 
+/// Force coefficients and their derivatives by the angle of attack, per radian.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Coefficients<T = f64> {
+    /// C_D.
+    pub drag: T,
+    /// C_L.
+    pub lift: T,
+    /// C_M.
+    pub moment: T,
+    /// C_D′, per rad.
+    pub drag_slope: T,
+    /// C_L′, per rad.
+    pub lift_slope: T,
+    /// C_M′, per rad.
+    pub moment_slope: T,
+}
+
+impl<T> Coefficients<T> {
+    /// The same in other numbers.
+    pub fn map<U>(&self, number: impl Fn(&T) -> U) -> Coefficients<U> {
+        Coefficients {
+            drag: number(&self.drag),
+            lift: number(&self.lift),
+            moment: number(&self.moment),
+            drag_slope: number(&self.drag_slope),
+            lift_slope: number(&self.lift_slope),
+            moment_slope: number(&self.moment_slope),
+        }
+    }
+}
+
 impl<T> From<Coefficients<T>> for Forces<T> {
     fn from(coefficients: Coefficients<T>) -> Self {
         Forces::Coefficients(coefficients)
     }
 }
 
-impl Section {
-    /// S_a of Eq. (18), dimensionless, for the coordinates x, y and rθ: as given, or from the coefficients.
-    pub fn scaled_damping(&self) -> [[f64; 3]; 3] {
-        Given::of(self.parameters()).scaled_damping()
-    }
-
-    /// δ|S_a| with [δ](Self::relative_wind) and the Frobenius norm of S_a: how much of itself a motion loses or
-    /// gains in a radian.
-    pub fn relative_aerodynamic_damping(&self) -> f64 {
-        self.relative_wind() * self.scaled_damping_norm()
-    }
-
-    /// |S_a|, the Frobenius norm of [`Section::scaled_damping`].
-    pub fn scaled_damping_norm(&self) -> f64 {
-        norm(&self.scaled_damping())
-    }
-}
-
 /// The Frobenius norm.
-pub(super) fn norm(matrix: &[[f64; 3]; 3]) -> f64 {
+pub(super) fn norm(matrix: &Matrix<f64>) -> f64 {
     let squares = matrix.as_flattened().iter().map(|own| own * own);
     squares.sum::<f64>().sqrt()
 }

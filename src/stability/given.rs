@@ -16,8 +16,8 @@ use sextic_evaluators::small_quantities::{
 };
 use sextic_evaluators::turn_stiffness::TurnStiffnessInputs;
 
-use super::equations::Matrix;
-use super::section::{Coefficients, Parameters};
+use super::forces::{Coefficients, Matrix};
+use super::parameters::Parameters;
 
 /// A section in the numbers that its equations are wanted in; its angles count by their directions only.
 #[derive(Clone, Copy, Debug)]

@@ -7,9 +7,9 @@ use crate::algebra::number::Rational;
 use crate::algebra::trigonometric_sum::{TrigonometricSum as Sum, TrigonometricSums};
 use crate::algebra::univariate::Univariate;
 
+use super::doubt::Doubt;
 use super::hurwitz::{hurwitz_determinants, routh_signs};
 use super::neutral::without_pairs;
-use super::verdict::Doubt;
 
 /// The products of machine words for what the parts of a polynomial have in common; tens of milliseconds.
 pub(super) const MOST_PRODUCTS: u64 = 100_000;

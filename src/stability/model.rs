@@ -7,9 +7,9 @@ use sextic_evaluators::bounded::Bounded;
 
 use super::ball::{Ball, cosine_and_sine};
 use super::coordinate::Coordinate;
-use super::equations::Matrix;
 use super::error::StabilityError;
 use super::forces::Forces;
+use super::forces::Matrix;
 use super::given::Given;
 use super::section::{Parameters, Section};
 

@@ -6,8 +6,8 @@ use std::f64::consts::TAU;
 
 use super::coordinate::{Coordinate, FreeCoordinates};
 use super::error::StabilityError;
-use super::forces::Forces;
-use super::section::{Coefficients, Parameters};
+use super::forces::{Coefficients, Forces};
+use super::parameters::Parameters;
 
 /// Which finite numbers a quantity may be.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,104 +1,12 @@
-//! A section in the wind: its parameters, checked.
+//! A section in the wind: parameters that are checked.
 
-use super::coordinate::{Coordinate, FreeCoordinates};
+use super::coordinate::Coordinate;
 use super::error::StabilityError;
-use super::forces::Forces;
+pub use super::forces::Coefficients;
+use super::forces::{Forces, norm};
+use super::given::Given;
+pub use super::parameters::Parameters;
 use super::quantity::Quantity;
-
-/// The parameters of a section in the wind, in SI units and radians; nothing is checked yet.
-///
-/// Frequencies and damping ratios stand in the order x, y, θ. Those of a coordinate that is held
-/// are not used. The numbers are doubles, or exact ones.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Parameters<T = f64> {
-    /// m: mass per unit length, in kg/m.
-    pub mass: T,
-    /// r: radius of gyration about the elastic centre O, in m.
-    pub radius_of_gyration: T,
-    /// L_g: distance of the mass centre G from O, in m.
-    pub mass_centre_distance: T,
-    /// α_g: angle of G from the reference line, in rad.
-    pub mass_centre_angle: T,
-    /// L_a: distance of the aerodynamic centre A from O, in m.
-    pub aerodynamic_centre_distance: T,
-    /// γ_r: angle of A from the reference line, in rad.
-    pub aerodynamic_centre_angle: T,
-    /// D: reference dimension, in m.
-    pub reference_dimension: T,
-    /// ω_x, ω_y, ω_θ: circular natural frequencies of the uncoupled motions, in rad/s.
-    pub natural_frequencies: [T; 3],
-    /// ζ_x, ζ_y, ζ_θ: structural damping ratios.
-    pub damping_ratios: [T; 3],
-    /// ρ: density of air, in kg/m³.
-    pub air_density: T,
-    /// U: wind speed, in m/s; may be 0.
-    pub wind_speed: T,
-    /// α_0: angle of the wind to the x axis, in rad.
-    pub wind_angle: T,
-    /// θ_0: turn of the section at rest, in rad.
-    pub attitude: T,
-    /// The forces at the angle of attack α_0 + θ_0.
-    pub forces: Forces<T>,
-    /// The coordinates that are free.
-    pub free: FreeCoordinates,
-    /// Whether the angle of attack follows the turn of the section as it moves: the paper leaves that out.
-    pub aerodynamic_stiffness: bool,
-}
-
-impl<T> Parameters<T> {
-    /// The same parameters in other numbers.
-    pub fn map<U>(&self, number: impl Fn(&T) -> U) -> Parameters<U> {
-        Parameters {
-            mass: number(&self.mass),
-            radius_of_gyration: number(&self.radius_of_gyration),
-            mass_centre_distance: number(&self.mass_centre_distance),
-            mass_centre_angle: number(&self.mass_centre_angle),
-            aerodynamic_centre_distance: number(&self.aerodynamic_centre_distance),
-            aerodynamic_centre_angle: number(&self.aerodynamic_centre_angle),
-            reference_dimension: number(&self.reference_dimension),
-            natural_frequencies: self.natural_frequencies.each_ref().map(&number),
-            damping_ratios: self.damping_ratios.each_ref().map(&number),
-            air_density: number(&self.air_density),
-            wind_speed: number(&self.wind_speed),
-            wind_angle: number(&self.wind_angle),
-            attitude: number(&self.attitude),
-            forces: self.forces.map(&number),
-            free: self.free,
-            aerodynamic_stiffness: self.aerodynamic_stiffness,
-        }
-    }
-}
-
-/// Force coefficients and their derivatives by the angle of attack, per radian.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Coefficients<T = f64> {
-    /// C_D.
-    pub drag: T,
-    /// C_L.
-    pub lift: T,
-    /// C_M.
-    pub moment: T,
-    /// C_D′, per rad.
-    pub drag_slope: T,
-    /// C_L′, per rad.
-    pub lift_slope: T,
-    /// C_M′, per rad.
-    pub moment_slope: T,
-}
-
-impl<T> Coefficients<T> {
-    /// The same in other numbers.
-    pub fn map<U>(&self, number: impl Fn(&T) -> U) -> Coefficients<U> {
-        Coefficients {
-            drag: number(&self.drag),
-            lift: number(&self.lift),
-            moment: number(&self.moment),
-            drag_slope: number(&self.drag_slope),
-            lift_slope: number(&self.lift_slope),
-            moment_slope: number(&self.moment_slope),
-        }
-    }
-}
 
 /// A section whose parameters are possible: L_g < r, m, r, D, ρ and the frequencies above 0, all finite.
 ///
@@ -181,5 +89,21 @@ impl Section {
     /// error of that real part its error but for the sign. The section gallops if S_3D < 0.
     pub fn damping_coefficient(&self, real_part: f64) -> Option<f64> {
         self.0.damping_coefficient(real_part)
+    }
+
+    /// S_a of Eq. (18), dimensionless, for the coordinates x, y and rθ: as given, or from the coefficients.
+    pub fn scaled_damping(&self) -> [[f64; 3]; 3] {
+        Given::of(self.parameters()).scaled_damping()
+    }
+
+    /// δ|S_a| with [δ](Self::relative_wind) and the Frobenius norm of S_a: how much of itself a motion loses or
+    /// gains in a radian.
+    pub fn relative_aerodynamic_damping(&self) -> f64 {
+        self.relative_wind() * self.scaled_damping_norm()
+    }
+
+    /// |S_a|, the Frobenius norm of [`Section::scaled_damping`].
+    pub fn scaled_damping_norm(&self) -> f64 {
+        norm(&self.scaled_damping())
     }
 }

@@ -7,58 +7,11 @@ use crate::algebra::number::{Integer, Rational};
 use crate::algebra::univariate::Univariate;
 
 use super::bernstein::Bernstein;
-use super::critical_speed::Stability;
 use super::hurwitz::hurwitz_determinants;
 use super::in_speed::InSpeed;
+use super::speed_part::{Found, Part, Stability, share};
 
-/// A part of the speeds, its ends as shares of the highest one.
-#[derive(Clone, Debug)]
-pub(super) struct Part {
-    pub from: Rational,
-    pub to: Rational,
-    pub found: Found,
-}
-
-/// What is known at all speeds of a part.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Found {
-    /// Stability.
-    Certain(Stability),
-    /// At most one change, from the one to the other.
-    Change([Stability; 2]),
-}
-
-impl Part {
-    /// All speeds, of which nothing is known.
-    pub fn undecided() -> Self {
-        Part {
-            from: Rational::ZERO,
-            to: Rational::ONE,
-            found: Found::Certain(Stability::Undecided),
-        }
-    }
-
-    /// Stability, if it is certain.
-    pub fn certain(&self) -> Option<Stability> {
-        match self.found {
-            Found::Certain(Stability::Undecided) | Found::Change(_) => None,
-            Found::Certain(stability) => Some(stability),
-        }
-    }
-
-    /// Whether it is so near to 0 that what is not decided there is left out.
-    pub fn is_negligible(&self) -> bool {
-        self.to <= share(Integer::ONE, LOWEST.into())
-    }
-}
-
-/// place/2^depth
-fn share(place: Integer, depth: usize) -> Rational {
-    Rational::from(place) / Rational::from(Integer::ONE << depth)
-}
-
-/// What is not decided below this power of 1/2 is left out, and a part next to 0 is halved somewhat more often.
-pub(super) const LOWEST: u8 = 100;
+/// A part next to 0 is halved somewhat more often than others.
 const DEEPEST: usize = 120;
 
 /// Any other one until it is less than this power of 1/2 of the speeds in it.

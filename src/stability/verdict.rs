@@ -5,6 +5,7 @@ use std::fmt;
 use crate::algebra::budget::Budget;
 use crate::algebra::trigonometric_sum::{TrigonometricSum as Sum, TrigonometricSums};
 
+pub use super::doubt::Doubt;
 use super::eigenvalue::Spectrum;
 use super::exact_section::{ExactSection, at_speed};
 use super::half_plane::{MOST_PRODUCTS, Roots, roots_without_pairs};
@@ -30,17 +31,6 @@ pub enum Proof {
     Errors,
     /// By the signs of Hurwitz' determinants, in exact arithmetic.
     Determinants,
-}
-
-/// Why there is no verdict.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Doubt {
-    /// An eigenvalue is imaginary, exactly, and none has a positive real part.
-    Neutral,
-    /// A determinant is not told from 0 with so many binary digits, and too long to be known exactly.
-    Digits(usize),
-    /// The coefficients of the characteristic polynomial have too many digits or terms.
-    TooLong,
 }
 
 impl Verdict {

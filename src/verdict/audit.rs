@@ -2,6 +2,7 @@
 
 mod compiled;
 mod declaration;
+mod failed;
 mod import;
 mod judgement;
 mod reader;
@@ -24,7 +25,7 @@ use crate::language::name::Aliases;
 use crate::language::syntax::{Name, Relation, Sign, Span};
 use crate::language::system::System;
 
-use judgement::FailedMatchings;
+use failed::FailedMatchings;
 use reader::Reader;
 use refusal::Refusals;
 

@@ -3,6 +3,7 @@
 
 mod architecture;
 mod guides;
+mod imports;
 mod page;
 mod sources;
 mod steps;

@@ -24,8 +24,8 @@ use crate::cli::output::wrong;
 use crate::cli::partial::{Left, Reserved};
 use crate::report::columns::{Cells, Column};
 
+use super::messages::{AGAIN, FOLDER, ended, told, unwritable};
 use super::rows::{Sizes, Table, compute};
-use super::written::{AGAIN, FOLDER, ended, told, unwritable};
 
 /// A part becomes a row group.
 fn groups_at_once() -> Sizes {

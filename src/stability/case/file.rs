@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use toml::de::{DeTable, DeValue, Error, ValueDeserializer};
 
-use super::Turn;
 use super::keys::Lines;
+use super::turn::Turn;
 use crate::stability::coordinate::{Coordinate, FreeCoordinates};
 use crate::stability::input::{InputError, quoted};
 use crate::stability::interpolation::Interpolation;

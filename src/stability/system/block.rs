@@ -1,10 +1,7 @@
 //! Coordinates that move together: the diagonal blocks of matrices that are triangular in blocks.
 
-use super::entries::Matrices;
+use super::entries::{Block, Matrices};
 use super::real::Real;
-
-/// The places of some coordinates, in order.
-pub(super) type Block = Vec<usize>;
 
 /// The coarsest blocks that do not come apart: with rows and columns in some order, λ²M + λC + K is triangular in
 /// blocks, so that its determinant is the product of theirs, and an eigenvalue of it is one of a block.

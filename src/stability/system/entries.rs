@@ -1,8 +1,10 @@
 //! The matrices of a system over any numbers.
 
-use super::System;
 use super::error::SystemError;
-use super::{MOST_COORDINATES, block::Block};
+use super::{MOST_COORDINATES, System};
+
+/// The places of some coordinates, in order.
+pub(super) type Block = Vec<usize>;
 
 /// M, and the parts of C and K: each a list of entries, row by row.
 #[derive(Clone, Debug)]

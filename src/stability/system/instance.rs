@@ -22,9 +22,9 @@ use crate::stability::half_plane::{MOST_PRODUCTS, Roots, roots_of_enclosed, root
 use crate::stability::verdict::{Doubt, LONGEST_POLYNOMIAL, Verdict, verdict_by_errors};
 
 use super::arithmetic::{Enclosures, NoValue, Sums, ball, rational};
-use super::block::{Block, blocks};
+use super::block::blocks;
 use super::disc::{Enclosed, discs};
-use super::entries::{Entries, Matrices, check};
+use super::entries::{Block, Entries, Matrices, check};
 use super::error::SystemError;
 use super::parameter::{Parameters, chosen, names};
 use super::pencil::Pencil;

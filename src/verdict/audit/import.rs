@@ -1,27 +1,15 @@
 //! Imports: each document is read once, before those that import it.
 
-use std::collections::BTreeMap;
-
 use crate::language::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
 use crate::language::document::{Document, read_document};
 use crate::language::syntax::{Spanned, StatementKind};
 
+use super::failed::{Failed, FailedImports};
 use super::reader::Reader;
 use super::{Audit, Rejected, rejected};
 
 /// How many documents may import each other in a chain.
 const MOST_OPEN: usize = 64;
-
-/// An import that gives nothing.
-pub(super) struct Failed {
-    /// The path as the document writes it.
-    pub(super) path: Spanned<String>,
-    /// Why; nothing where the imported document says it.
-    pub(super) diagnostic: Option<Diagnostic>,
-}
-
-/// The imports that give nothing, by their places.
-pub(super) type FailedImports = BTreeMap<usize, Failed>;
 
 impl Reader<'_> {
     /// Reads a document behind all that it imports, which may declare spellings that the rest is parsed

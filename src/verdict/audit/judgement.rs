@@ -1,7 +1,5 @@
 //! The verdicts on what a document asserts, where a statement that fails costs only what builds on it.
 
-use std::collections::BTreeMap;
-
 use crate::derivation::assertion::Finding;
 use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::language::syntax::Relation;
@@ -9,11 +7,9 @@ use crate::verdict::claim::{Claim, Verdict};
 use crate::verdict::judge::{FAULT, Judge};
 
 use super::Skipped;
+use super::failed::FailedMatchings;
 use super::reader::{Read, Reader};
 use super::refusal::Reason;
-
-/// What is wrong with matchings, by their document and the place of their label.
-pub(super) type FailedMatchings = BTreeMap<(String, usize), Diagnostic>;
 
 impl Reader<'_> {
     /// The verdicts on what was read, in the order of the document, and what is wrong with matchings that

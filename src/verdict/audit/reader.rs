@@ -28,8 +28,7 @@ use crate::points::Salt;
 use crate::verdict::claim::{Claim, Verdict};
 use crate::verdict::judge::matching::MatchingCheck;
 
-use super::import::Failed;
-use super::judgement::FailedMatchings;
+use super::failed::{Failed, FailedMatchings};
 use super::refusal::{Reason, Refusals};
 use super::{Assumption, Audit, Declaration, Library, Place, Rejected, STEPS, Skipped};
 
