@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         points: 1000,
         ..Order::of_all(Language::C)
     };
-    let generated = generate(&mut [audit], &order, &mut |_| {})?;
+    let generated = generate(&[audit], &order, &mut |_| {})?;
     for file in &generated.files {
         println!("/* {} */\n{}", file.path, file.text);
     }

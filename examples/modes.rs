@@ -22,14 +22,14 @@ system (1) masses: mass m*identity(2) damping [c, 0; 0, 0] stiffness k*[2, -1; -
 ";
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut audit = audit(&SourceFile::new("masses.md", DOCUMENT), &ShippedLibrary)?;
+    let audit = audit(&SourceFile::new("masses.md", DOCUMENT), &ShippedLibrary)?;
     let stated = audit.systems[0].clone();
     let CompiledSystem {
         specification,
         coordinates,
         damping,
         stiffness,
-    } = CompiledSystem::of(&stated, None, &mut audit)?;
+    } = CompiledSystem::of(&stated, None, &audit)?;
     let system = System {
         evaluator: specification.evaluator,
         coordinates,

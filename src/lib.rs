@@ -23,7 +23,7 @@
 //! assert_eq!(audit.claims[0].verdict.text(), "holds");
 //!
 //! let order = Order { points: 100, ..Order::of_all(Language::Rust) };
-//! let generated = generate(&mut [audit], &order, &mut |_| {})?;
+//! let generated = generate(&[audit], &order, &mut |_| {})?;
 //! assert!(generated.files.iter().any(|file| file.path == "frequency.rs"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

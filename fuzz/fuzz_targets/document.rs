@@ -18,13 +18,13 @@ fuzz_target!(|text: &str| {
     let Ok(audit) = audit(&source, &ShippedLibrary) else {
         return;
     };
-    let mut audits = [audit];
+    let audits = [audit];
     for language in Language::ALL {
         let order = Order {
             points: 0,
             ..Order::of_all(language)
         };
-        match generate(&mut audits, &order, &mut |_| {}) {
+        match generate(&audits, &order, &mut |_| {}) {
             Err(Failure::Doubted(evaluator, doubt)) => panic!("{language}, {evaluator}: {doubt}"),
             Ok(_) | Err(_) => {}
         }

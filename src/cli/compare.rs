@@ -62,14 +62,12 @@ Examples:
 /// Compares and writes what was found.
 pub fn run(arguments: &Arguments) -> Outcome {
     let Audited {
-        mut audits,
-        outcome,
-        ..
+        audits, outcome, ..
     } = audit_all(&arguments.documents);
     if outcome != Outcome::AsExpected {
         return mistaken(outcome);
     }
-    match all(&mut audits, arguments.points as usize) {
+    match all(&audits, arguments.points as usize) {
         Err(outcome) => outcome,
         Ok(forms) if forms.is_empty() => wrong(
             "no evaluator approximates a system",
@@ -85,15 +83,15 @@ pub fn run(arguments: &Arguments) -> Outcome {
     }
 }
 
-fn all(audits: &mut [Audit], points: usize) -> Result<Vec<FormCompared>, Outcome> {
+fn all(audits: &[Audit], points: usize) -> Result<Vec<FormCompared>, Outcome> {
     let mut forms = Vec::new();
     for audit in audits {
         if !audit.as_expected() {
             return Err(differs(audit));
         }
-        for evaluator in audit.evaluators.clone() {
-            if let Some(stated) = evaluator.approximated.clone() {
-                forms.push(compare(&evaluator, &stated, audit, points)?);
+        for evaluator in &audit.evaluators {
+            if let Some(stated) = &evaluator.approximated {
+                forms.push(compare(evaluator, stated, audit, points)?);
             }
         }
     }
@@ -103,20 +101,22 @@ fn all(audits: &mut [Audit], points: usize) -> Result<Vec<FormCompared>, Outcome
 fn compare(
     evaluator: &Evaluator,
     stated: &Stated,
-    audit: &mut Audit,
+    audit: &Audit,
     points: usize,
 ) -> Result<FormCompared, Outcome> {
     let name = evaluator.name.ascii.clone();
     let found = specifications(
-        std::slice::from_mut(audit),
+        std::slice::from_ref(audit),
         std::slice::from_ref(&name),
         &[],
     );
     let mut found = found.map_err(|failure| failed(&failure, std::slice::from_ref(audit)))?;
     let form = found.remove(0).evaluator;
-    let systems = audit.all_systems.clone();
     // The audit refuses what approximates no system.
-    let meant = systems.iter().find(|own| own.name == stated.system.value);
+    let meant = audit
+        .all_systems
+        .iter()
+        .find(|own| own.name == stated.system.value);
     let meant = meant.ok_or(Outcome::WrongInput)?;
     let system = in_numbers(compiled(meant, Some(stated), audit)?);
     let approximated = match stated.quantities {

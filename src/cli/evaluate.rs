@@ -7,7 +7,7 @@ use sextic_codegen::arithmetic::doubles;
 use sextic_codegen::language::literal::Decimal;
 
 use crate::compile::fixed::Fixed;
-use crate::compile::generation::{Failure, document_of, specifications};
+use crate::compile::generation::{Failure, specifications};
 use crate::compile::specification::Specification;
 use crate::derivation::scope::{Meaning, SymbolKind};
 use crate::report::evaluation::Evaluation;
@@ -58,21 +58,19 @@ Examples:
 /// Evaluates, or lists what can be evaluated.
 pub fn run(arguments: &Arguments) -> Outcome {
     let Audited {
-        mut audits,
-        outcome,
-        ..
+        audits, outcome, ..
     } = audit_all(arguments.document.as_slice());
     if outcome != Outcome::AsExpected {
         return mistaken(outcome);
     }
     let Some(name) = &arguments.name else {
-        return list(&mut audits, &[], arguments.format);
+        return list(&audits, &[], arguments.format);
     };
-    let is_there = |audit: &&mut Audit| {
+    let is_there = |audit: &&Audit| {
         let mut evaluators = audit.evaluators.iter();
         evaluators.any(|evaluator| evaluator.name.ascii == *name)
     };
-    let Some(audit) = audits.iter_mut().find(is_there) else {
+    let Some(audit) = audits.iter().find(is_there) else {
         let evaluators = audits.iter().flat_map(|audit| &audit.evaluators);
         let known: Vec<String> = evaluators
             .map(|evaluator| evaluator.name.ascii.clone())
@@ -81,7 +79,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     };
     if arguments.list {
         let name = std::slice::from_ref(name);
-        return list(std::slice::from_mut(audit), name, arguments.format);
+        return list(std::slice::from_ref(audit), name, arguments.format);
     }
     if !audit.as_expected() {
         return differs(audit);
@@ -103,7 +101,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
 }
 
 /// The evaluators of these names; all of them if there are none.
-fn list(audits: &mut [Audit], names: &[String], format: Results) -> Outcome {
+fn list(audits: &[Audit], names: &[String], format: Results) -> Outcome {
     match specifications(audits, names, &[]) {
         Ok(all) => {
             let written = match format {
@@ -128,19 +126,18 @@ pub fn failed(failure: &Failure, audits: &[Audit]) -> Outcome {
 }
 
 /// An evaluator at a point.
-fn evaluate(name: &str, set: &[Fixed], audit: &mut Audit) -> Result<Evaluation, Outcome> {
-    let audits = std::slice::from_mut(audit);
+fn evaluate(name: &str, set: &[Fixed], audit: &Audit) -> Result<Evaluation, Outcome> {
+    let audits = std::slice::from_ref(audit);
     let specification = specifications(audits, &[name.to_string()], &[]);
-    let specification = match specification.map(|mut found| found.pop()) {
+    let mut specification = match specification.map(|mut found| found.pop()) {
         Ok(Some(specification)) => specification,
         Ok(None) => return Err(failed(&Failure::NoEvaluator, audits)),
         Err(failure) => return Err(failed(&failure, audits)),
     };
-    let audit = document_of(&specification, audits);
     let values = values(set, &specification, audit)?;
     let numbers: Vec<&Fixed> = set.iter().collect();
     specification
-        .admit(&numbers, audit)
+        .admit(&numbers)
         .map_err(|refusal| refused(name, &audit.path, &refusal, std::slice::from_ref(audit)))?;
     let evaluator = &specification.evaluator;
     let found = doubles::evaluate_at(evaluator, &values).unwrap_or_default();

@@ -10,7 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use sextic_codegen::language::{File, Language};
 
 use crate::compile::fixed::{Fixed, Unfixed};
-use crate::compile::generation::{Failure, Generated, Order, POINTS, document_of, generate};
+use crate::compile::generation::{Failure, Generated, Order, POINTS, generate};
 use crate::compile::proof::prove_files;
 use crate::compile::specification::Refusal;
 use crate::language::diagnostic::{nearest, render};
@@ -140,9 +140,7 @@ pub(super) fn differs(audit: &Audit) -> Outcome {
 /// Generates, and writes or checks.
 pub fn run(arguments: &Arguments) -> Outcome {
     let Audited {
-        mut audits,
-        outcome,
-        ..
+        audits, outcome, ..
     } = audit_all(arguments.document.as_slice());
     if outcome != Outcome::AsExpected {
         return mistaken(outcome);
@@ -169,13 +167,13 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let style = ProgressStyle::with_template("{spinner} {msg} ({elapsed})");
     progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
     progress.enable_steady_tick(std::time::Duration::from_millis(100));
-    let generated = generate(&mut audits, &order, &mut |step| {
+    let generated = generate(&audits, &order, &mut |step| {
         progress.set_message(step.to_string());
     });
     progress.finish_and_clear();
     match generated {
         Err(failure) => refuse(&failure, &audits, arguments),
-        Ok(generated) if arguments.check => check(&generated, &mut audits, arguments),
+        Ok(generated) if arguments.check => check(&generated, arguments),
         Ok(generated) => write(&generated, arguments),
     }
 }
@@ -229,7 +227,7 @@ fn summary(written: &Written, out: &Path) -> String {
 /// Proves the files as they stand on the disk, and compares them with what would be written.
 ///
 /// What the evaluators share is not derived, and not proven: it has to be what would be written.
-fn check(generated: &Generated, audits: &mut [Audit], arguments: &Arguments) -> Outcome {
+fn check(generated: &Generated, arguments: &Arguments) -> Outcome {
     let (mut found, mut lines): (Vec<File>, Vec<String>) = (Vec::new(), Vec::new());
     let mut changed_support: Vec<&str> = Vec::new();
     for file in &generated.files {
@@ -263,10 +261,7 @@ fn check(generated: &Generated, audits: &mut [Audit], arguments: &Arguments) -> 
     let mut are_proven = true;
     for specification in &generated.specifications {
         let name = &specification.evaluator.name;
-        let elaborator = &mut document_of(specification, audits).elaborator;
-        elaborator.fresh();
-        let ring = &mut elaborator.ring;
-        let doubt = match prove_files(&found, specification, arguments.language, ring) {
+        let doubt = match prove_files(&found, specification, arguments.language) {
             Ok(proof) if changed_support.is_empty() => {
                 report.push_str(&format!("{name}: proven. {proof}\n"));
                 continue;

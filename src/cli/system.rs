@@ -45,21 +45,19 @@ impl Which {
     pub fn choose(&self, document: Option<&str>, points: &[&[Fixed]]) -> Result<Chosen, Outcome> {
         let paths: Vec<String> = document.map(str::to_string).into_iter().collect();
         let Audited {
-            mut audits,
-            outcome,
-            ..
+            audits, outcome, ..
         } = audit_all(&paths);
         if outcome != Outcome::AsExpected {
             return Err(mistaken(outcome));
         }
         let (number, stated) = self.find(&audits)?;
-        let audit = &mut audits[number];
+        let audit = &audits[number];
         if !audit.as_expected() {
             return Err(differs(audit));
         }
-        let compiled = compiled(&stated, None, audit)?;
+        let mut compiled = compiled(&stated, None, audit)?;
         for point in points {
-            admit(&compiled, point, audit)?;
+            admit(&mut compiled, point, audit)?;
         }
         let shown = stated.coordinates.iter();
         Ok(Chosen {
@@ -120,7 +118,7 @@ impl Which {
 pub fn compiled(
     stated: &Stated,
     approximated: Option<&Approximated>,
-    audit: &mut Audit,
+    audit: &Audit,
 ) -> Result<CompiledSystem, Outcome> {
     CompiledSystem::of(stated, approximated, audit).map_err(|refusal| {
         let name = &stated.name.unicode;
@@ -139,12 +137,12 @@ pub fn in_numbers(compiled: CompiledSystem) -> System {
 }
 
 /// Refuses numbers that the document excludes by a declared sign or an assumption.
-fn admit(compiled: &CompiledSystem, set: &[Fixed], audit: &mut Audit) -> Result<(), Outcome> {
-    let specification = &compiled.specification;
+fn admit(compiled: &mut CompiledSystem, set: &[Fixed], audit: &Audit) -> Result<(), Outcome> {
+    let specification = &mut compiled.specification;
     // What the system does not rest on is told with the names of what it rests on.
     let known = set.iter().filter(|own| specification.rests_on(&own.name));
     let known: Vec<&Fixed> = known.collect();
-    specification.admit(&known, audit).map_err(|refusal| {
+    specification.admit(&known).map_err(|refusal| {
         let name = &specification.evaluator.name;
         refused(name, &audit.path, &refusal, std::slice::from_ref(audit))
     })

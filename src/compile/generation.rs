@@ -156,18 +156,18 @@ impl std::error::Error for Failure {}
 ///
 /// [`Failure`]
 pub fn generate(
-    audits: &mut [Audit],
+    audits: &[Audit],
     order: &Order,
     report: &mut dyn FnMut(&str),
 ) -> Result<Generated, Failure> {
     let mut specifications = specifications(audits, &order.names, &order.fixed)?;
     for specification in &mut specifications {
-        let audit = document_of(specification, audits);
+        let intervals = document_of(specification, audits).map(intervals);
         let evaluator = &mut specification.evaluator;
         evaluator.command = order.command();
         if order.points > 0 {
             report(&format!("measuring the rounding of {}", evaluator.name));
-            let domain = domain(evaluator, audit);
+            let domain = domain(evaluator, intervals.unwrap_or_default());
             // Without an interval for every input there is no figure, which the text says.
             evaluator.rounding = match rounding::measure(evaluator, &domain, order.points, SEED) {
                 Ok(rounding) => Some(rounding),
@@ -182,14 +182,14 @@ pub fn generate(
     let drafts = emit(&specifications, order.language)?;
     for specification in &mut specifications {
         report(&format!("proving {}", specification.evaluator.name));
-        let proof = proven(&drafts, specification, order.language, audits)?;
+        let proof = proven(&drafts, specification, order.language)?;
         specification.evaluator.proof = Some(proof.to_string());
     }
     let files = emit(&specifications, order.language)?;
     let emitted = evaluators(&specifications);
     let renamed = language::renamed(&emitted, order.language).map_err(Failure::Language)?;
     for specification in &specifications {
-        proven(&files, specification, order.language, audits)?;
+        proven(&files, specification, order.language)?;
     }
     Ok(Generated {
         specifications,
@@ -199,16 +199,9 @@ pub fn generate(
 }
 
 /// The document that an evaluator was specified from.
-///
-/// # Panics
-///
-/// If it was specified from none of these.
-pub fn document_of<'a>(specification: &Specification, audits: &'a mut [Audit]) -> &'a mut Audit {
+fn document_of<'a>(specification: &Specification, audits: &'a [Audit]) -> Option<&'a Audit> {
     let path = &specification.evaluator.document;
-    let mut audits = audits.iter_mut();
-    audits
-        .find(|audit| audit.path == *path)
-        .expect("the document of an evaluator")
+    audits.iter().find(|audit| audit.path == *path)
 }
 
 /// The evaluators of documents by name, or all of them, with quantities fixed.
@@ -217,7 +210,7 @@ pub fn document_of<'a>(specification: &Specification, audits: &'a mut [Audit]) -
 ///
 /// [`Failure`]
 pub fn specifications(
-    audits: &mut [Audit],
+    audits: &[Audit],
     names: &[String],
     fixed: &[Fixed],
 ) -> Result<Vec<Specification>, Failure> {
@@ -225,9 +218,9 @@ pub fn specifications(
     check_names(names, all.map(|evaluator| evaluator.name.ascii.as_str()))?;
     let mut specifications: Vec<Specification> = Vec::new();
     for audit in audits {
-        for evaluator in audit.evaluators.clone() {
+        for evaluator in &audit.evaluators {
             if names.is_empty() || names.contains(&evaluator.name.ascii) {
-                let specification = Specification::of(&evaluator, audit, fixed);
+                let specification = Specification::of(evaluator, audit, fixed);
                 specifications.push(specification.map_err(|refusal| {
                     let name = evaluator.name.unicode.clone();
                     Failure::Refused(name, audit.path.clone(), refusal)
@@ -277,17 +270,13 @@ fn proven(
     files: &[File],
     specification: &Specification,
     language: Language,
-    audits: &mut [Audit],
 ) -> Result<Proof, Failure> {
-    let audit = document_of(specification, audits);
-    audit.elaborator.fresh();
-    prove_files(files, specification, language, &mut audit.elaborator.ring)
+    prove_files(files, specification, language)
         .map_err(|doubt| Failure::Doubted(specification.evaluator.name.clone(), doubt))
 }
 
 /// The intervals that the document states for the inputs of an evaluator.
-fn domain(evaluator: &Emitted, audit: &Audit) -> Domain {
-    let intervals = intervals(audit);
+fn domain(evaluator: &Emitted, intervals: BTreeMap<String, Interval>) -> Domain {
     let mut parts: Vec<String> = Vec::new();
     for input in evaluator.free_inputs() {
         if let Some(Interval { from, to }) = intervals.get(&input.quantity.name) {

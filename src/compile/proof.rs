@@ -69,16 +69,17 @@ pub fn prove_files(
     files: &[File],
     specification: &Specification,
     language: Language,
-    ring: &mut Ring,
 ) -> Result<Proof, Doubt> {
     let readings = read(files, &specification.evaluator, language);
     let readings = readings.map_err(|(place, unreadable)| Doubt {
         place,
         reason: Reason::Unreadable(unreadable),
     })?;
-    let point = Point::of(specification, ring);
+    let mut ring = specification.elaborator.ring.clone();
+    ring.budget().refill();
+    let point = Point::of(specification, &ring);
     if let Some((place, door)) = &readings.door {
-        door::check(door, specification, ring).map_err(|reason| Doubt {
+        door::check(door, specification, &ring).map_err(|reason| Doubt {
             place: place.clone(),
             reason,
         })?;
@@ -88,7 +89,7 @@ pub fn prove_files(
             let body = resolve(reading, specification)?;
             operations::compare(&body, specification)?;
             point.refute(&body, specification)?;
-            prove(&body, specification, ring)
+            prove(&body, specification, &mut ring)
         };
         check().map_err(|reason| Doubt {
             place: place.clone(),

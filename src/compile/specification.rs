@@ -13,6 +13,7 @@ use sextic_codegen::evaluator::{Angle, Evaluator as Emitted, Input as EmittedInp
 use crate::algebra::fraction::Fraction;
 use crate::algebra::symbol::Symbol;
 use crate::derivation::condition::Conditions;
+use crate::derivation::elaboration::Elaborator;
 use crate::language::diagnostic::Diagnostic;
 use crate::language::evaluator::{Evaluator, Output};
 use crate::language::syntax::{Label, Place};
@@ -37,6 +38,8 @@ pub struct Specification {
     pub outputs: Vec<(String, Fraction)>,
     /// The names that were fixed, also those that are gone from the program.
     pub fixed: Vec<String>,
+    /// The names of the document and the ring of these elements.
+    pub elaborator: Elaborator,
     /// The symbols of the ring that the inputs of the program are.
     symbols: Vec<Symbol>,
     /// What its steps divided by and took roots of.
@@ -77,14 +80,17 @@ impl Refusal {
 }
 
 impl Specification {
-    /// An evaluator that computes these outputs of these inputs, by name, under no condition.
+    /// An evaluator that computes these outputs of these inputs, by name, elements of the ring of this
+    /// elaborator, under no condition.
     pub fn new(
         evaluator: Emitted,
         inputs: Vec<(String, Fraction)>,
         outputs: Vec<(String, Fraction)>,
+        elaborator: Elaborator,
     ) -> Self {
         Specification {
             evaluator,
+            elaborator,
             inputs,
             outputs,
             constants: Vec::new(),
@@ -103,8 +109,9 @@ impl Specification {
     /// # Errors
     ///
     /// [`Refusal`]
-    pub fn of(evaluator: &Evaluator, audit: &mut Audit, fixed: &[Fixed]) -> Result<Self, Refusal> {
-        let general = Specification::translated(evaluator, audit)?;
+    pub fn of(evaluator: &Evaluator, audit: &Audit, fixed: &[Fixed]) -> Result<Self, Refusal> {
+        let elaborator = audit.elaborator.clone();
+        let mut general = Specification::translated(evaluator, audit, elaborator)?;
         let fixed: Vec<&Fixed> = fixed
             .iter()
             .filter(|fixed| general.rests_on(&fixed.name))
@@ -112,25 +119,28 @@ impl Specification {
         if fixed.is_empty() {
             return Ok(general);
         }
-        let replacements = fixing::replacements(&fixed, &general, audit)?;
+        let replacements = fixing::replacements(&fixed, &mut general)?;
         let mut special = match replacements.is_empty() {
             true => general,
             false => {
                 let place = Place::Replacements(replacements);
                 // The caller of the program answers for what the document assumes of all inputs.
-                audit.elaborator.trusts_replacements = true;
-                let special = Specification::translated(&at(evaluator, &place), audit);
-                audit.elaborator.trusts_replacements = false;
-                special?
+                let mut elaborator = general.elaborator;
+                elaborator.trusts_replacements = true;
+                Specification::translated(&at(evaluator, &place), audit, elaborator)?
             }
         };
+        special.elaborator.trusts_replacements = false;
         special.fix(&fixed);
         Ok(special)
     }
 
     /// The specification of an evaluator of which nothing is fixed.
-    fn translated(evaluator: &Evaluator, audit: &mut Audit) -> Result<Self, Refusal> {
-        let elaborator = &mut audit.elaborator;
+    fn translated(
+        evaluator: &Evaluator,
+        audit: &Audit,
+        mut elaborator: Elaborator,
+    ) -> Result<Self, Refusal> {
         elaborator.fresh();
         let (mut outputs, mut shown) = (Vec::new(), Vec::new());
         for output in &evaluator.outputs {
@@ -152,7 +162,7 @@ impl Specification {
         let needed = std::mem::take(&mut elaborator.conditions);
         let conditions = elaborator.present_conditions(&needed, &evaluator.span);
         let conditions = conditions.map_err(Refusal::document)?;
-        let requirements = validity::requirements(&evaluator.conditions, elaborator)?;
+        let requirements = validity::requirements(&evaluator.conditions, &mut elaborator)?;
         let conditions = conditions.iter().map(validity::condition);
         let stated = requirements
             .iter()
@@ -160,7 +170,7 @@ impl Specification {
         let conditions: Vec<String> = conditions.chain(stated).collect();
         elaborator.fresh();
         let Translated { program, inputs } =
-            translate(evaluator, elaborator).map_err(Refusal::Program)?;
+            translate(evaluator, &mut elaborator).map_err(Refusal::Program)?;
         let title = evaluator.description.clone();
         let formula = formula::of(evaluator, &elaborator.scope);
         let elements = inputs.iter().map(|(symbol, input)| {
@@ -191,7 +201,7 @@ impl Specification {
             symbols: inputs.iter().map(|(symbol, _)| *symbol).collect(),
             conditions: needed,
             requirements,
-            ..Specification::new(emitted, elements, outputs)
+            ..Specification::new(emitted, elements, outputs, elaborator)
         })
     }
 

@@ -30,7 +30,7 @@ impl CompiledSystem {
     pub fn of(
         system: &System,
         approximated: Option<&Approximated>,
-        audit: &mut Audit,
+        audit: &Audit,
     ) -> Result<Self, Refusal> {
         let place = approximated.and_then(|own| own.place.as_ref());
         let specification = Specification::of(&system.evaluator(place), audit, &[]);

@@ -15,6 +15,7 @@ use sextic::compile::operations::compare;
 use sextic::compile::point::{Point, Residues};
 use sextic::compile::proof::{Elements, prove};
 use sextic::compile::specification::Specification;
+use sextic::derivation::elaboration::Elaborator;
 use sextic_codegen::arithmetic::Arithmetic;
 use sextic_codegen::arithmetic::doubles::{Beyond, Doubles};
 use sextic_codegen::arithmetic::pairs::{Close, Pairs};
@@ -192,20 +193,22 @@ proptest! {
     /// What a program is over a ring is what it is at a point of the ring; another program is neither.
     #[test]
     fn elements_have_the_values_of_the_program(program in drawn(10)) {
-        let mut ring = Ring::new(Budget::new(100_000));
+        let mut elaborator = Elaborator::new(Budget::new(100_000));
+        let ring = &mut elaborator.ring;
         let inputs = ["x", "y", "z"].map(|name| {
             let symbol = ring.symbol(Generator::Constant { name: name.to_owned() }).unwrap();
             ring.assumptions_mut().assume_symbol(symbol, Signs::POSITIVE);
             (name.to_owned(), ring.element(symbol))
         });
         let elements = inputs.clone().map(|(_, element)| element);
-        let Ok(outputs) = program.run(&mut Elements(&mut ring), &elements) else {
+        let Ok(outputs) = program.run(&mut Elements(ring), &elements) else {
             return Ok(());
         };
         let names = program.outputs().iter().map(|(name, _)| name.clone());
         let outputs: Vec<(String, Fraction)> = names.zip(outputs).collect();
         let evaluator = Evaluator::plain("e", program.clone());
-        let specification = Specification::new(evaluator, inputs.to_vec(), outputs);
+        let specification = Specification::new(evaluator, inputs.to_vec(), outputs, elaborator);
+        let mut ring = specification.elaborator.ring.clone();
         let point = Point::of(&specification, &ring);
         let is_decided = point.refute(&program, &specification);
         prop_assert!(is_decided.is_ok(), "{:?}", is_decided);

@@ -43,21 +43,21 @@ fn outputs(program: &Program) -> Vec<Option<Rational>> {
 
 #[test]
 fn what_is_fixed_is_what_partial_evaluation_gives() {
-    let mut audit = paper();
-    let general = specifications(&mut audit);
-    let evaluators = audit.evaluators.clone();
+    let audit = paper();
+    let general = specifications(&audit);
+    let evaluators = &audit.evaluators;
     let mut count = 0;
     for (evaluator, general) in evaluators.iter().zip(&general) {
         for name in ["zeta_x", "L_a", "C_M", "dC_L", "S_xy", "C_D", "m", "U"] {
             for value in ["0", "1", "-1"] {
                 let fix = fixed(&format!("{name}={value}"));
-                let special =
-                    match Specification::of(evaluator, &mut audit, std::slice::from_ref(&fix)) {
-                        Ok(special) => special,
-                        // 0 < m, say.
-                        Err(Refusal::Number(..)) => continue,
-                        Err(refusal) => panic!("{name}={value}: {refusal:?}"),
-                    };
+                let special = match Specification::of(evaluator, &audit, std::slice::from_ref(&fix))
+                {
+                    Ok(special) => special,
+                    // 0 < m, say.
+                    Err(Refusal::Number(..)) => continue,
+                    Err(refusal) => panic!("{name}={value}: {refusal:?}"),
+                };
                 if !general.rests_on(name) {
                     assert!(special.fixed.is_empty());
                     continue;
@@ -81,14 +81,14 @@ fn what_is_fixed_is_what_partial_evaluation_gives() {
 
 #[test]
 fn other_numbers_are_constants_with_bounds() {
-    let mut audit = paper();
-    let evaluators = audit.evaluators.clone();
+    let audit = paper();
+    let evaluators = &audit.evaluators;
     let in_wind = evaluators
         .iter()
         .find(|known| known.name.ascii == "closed_form_in_wind");
     let in_wind = in_wind.expect("it is compiled");
     let fixes = ["r=0.0178", "alpha_g=-0.2094", "theta_0=0.1", "alpha_0=1/3"].map(fixed);
-    let special = Specification::of(in_wind, &mut audit, &fixes).expect("all are allowed");
+    let special = Specification::of(in_wind, &audit, &fixes).expect("all are allowed");
     let names: Vec<&str> = special
         .constants
         .iter()
@@ -124,8 +124,8 @@ fn other_numbers_are_constants_with_bounds() {
 
 #[test]
 fn fixing_at_zero_moves_the_functions_with_the_angle() {
-    let mut audit = paper();
-    let evaluators = audit.evaluators.clone();
+    let audit = paper();
+    let evaluators = &audit.evaluators;
     let [general, along_x] = [
         "characteristic_polynomial",
         "characteristic_polynomial_along_x",
@@ -136,9 +136,9 @@ fn fixing_at_zero_moves_the_functions_with_the_angle() {
             .find(|known| known.name.ascii == name)
             .expect("compiled")
     });
-    let fixed_along_x = Specification::of(general, &mut audit, &[fixed("alpha_0=0")]);
+    let fixed_along_x = Specification::of(general, &audit, &[fixed("alpha_0=0")]);
     let fixed_along_x = fixed_along_x.expect("it is allowed");
-    let written = Specification::of(along_x, &mut audit, &[]).expect("it is compiled");
+    let written = Specification::of(along_x, &audit, &[]).expect("it is compiled");
     assert_eq!(fixed_along_x.outputs, written.outputs);
     assert_eq!(fixed_along_x.evaluator.program, written.evaluator.program);
 }

@@ -36,13 +36,12 @@ fn files_of(specification: &Specification, language: Language) -> Vec<File> {
     files.into_iter().filter(is_own).collect()
 }
 
-fn specifications(audit: &mut Audit) -> Vec<Specification> {
-    let evaluators = audit.evaluators.clone();
+fn specifications(audit: &Audit) -> Vec<Specification> {
     let specify = |evaluator| {
         Specification::of(evaluator, audit, &[])
             .unwrap_or_else(|refusal| panic!("{}: {refusal:?}", evaluator.name.ascii))
     };
-    evaluators.iter().map(specify).collect()
+    audit.evaluators.iter().map(specify).collect()
 }
 
 fn assert_locked(name: &str, text: &str) {
@@ -59,9 +58,8 @@ fn inputs_say_which_angles_they_are_made_of() {
         function C at γ : 1 \"lift\"\n\
         evaluator [f] f: a = cos(2*α - β), b = sin(γ - α), c = C + C'\n```\n";
     let source = SourceFile::new("angles.md", text);
-    let mut audit =
-        audit(&source, &ShippedLibrary).unwrap_or_else(|e| panic!("{:?}", e.diagnostics));
-    let evaluator = &specifications(&mut audit)[0].evaluator;
+    let audit = audit(&source, &ShippedLibrary).unwrap_or_else(|e| panic!("{:?}", e.diagnostics));
+    let evaluator = &specifications(&audit)[0].evaluator;
     let inputs = evaluator.inputs.iter();
     let inputs: Vec<String> = inputs
         .map(|input| {
@@ -96,8 +94,8 @@ fn inputs_say_which_angles_they_are_made_of() {
 
 #[test]
 fn operation_counts_are_locked() {
-    let mut audits = audits();
-    let all = audits.iter_mut().flat_map(specifications);
+    let audits = audits();
+    let all = audits.iter().flat_map(specifications);
     let counts = all.map(|specification| {
         let evaluator = &specification.evaluator;
         format!("{}: {}", evaluator.name, evaluator.cost())

@@ -5,11 +5,11 @@ use sextic::algebra::arithmetic::Arithmetic;
 use sextic::algebra::budget::Budget;
 use sextic::algebra::generator::Generator;
 use sextic::algebra::number::Rational;
-use sextic::algebra::ring::Ring;
 use sextic::compile::constant::Constant;
 use sextic::compile::proof::prove_files;
 use sextic::compile::reading::read;
 use sextic::compile::specification::Specification;
+use sextic::derivation::elaboration::Elaborator;
 use sextic::documents::ShippedLibrary;
 use sextic::language::diagnostic::SourceFile;
 use sextic::verdict::audit::audit;
@@ -22,14 +22,12 @@ use super::{assert_locked, audits, files_of, specifications};
 #[test]
 fn every_emitted_file_is_proven() {
     let mut statements = Vec::new();
-    for mut audit in audits() {
-        for specification in specifications(&mut audit) {
+    for audit in audits() {
+        for specification in specifications(&audit) {
             for language in Language::ALL {
                 let files = files_of(&specification, language);
-                audit.elaborator.fresh();
-                let ring = &mut audit.elaborator.ring;
                 let name = &specification.evaluator.name;
-                match prove_files(&files, &specification, language, ring) {
+                match prove_files(&files, &specification, language) {
                     Ok(proof) => statements.push(format!("{name}: {proof}")),
                     Err(doubt) => panic!("{name}: {doubt}"),
                 }
@@ -42,7 +40,6 @@ fn every_emitted_file_is_proven() {
 /// An evaluator of a + λ + b², whose names are free in no language, and its files.
 struct Sample {
     specification: Specification,
-    ring: Ring,
 }
 
 impl Sample {
@@ -53,7 +50,8 @@ impl Sample {
         let square = program.push(Operation::Multiply(b, b));
         let result = program.push(Operation::Add(sum, square));
         program.output("I", result);
-        let mut ring = Ring::new(Budget::unlimited());
+        let mut elaborator = Elaborator::new(Budget::unlimited());
+        let ring = &mut elaborator.ring;
         let inputs = ["a", "lambda", "b"].map(|name| {
             let generator = Generator::Constant {
                 name: name.to_owned(),
@@ -68,11 +66,9 @@ impl Sample {
             Evaluator::plain("match", program),
             inputs.to_vec(),
             vec![("I".to_owned(), result)],
+            elaborator,
         );
-        Sample {
-            specification,
-            ring,
-        }
+        Sample { specification }
     }
 
     fn files(&self, language: Language) -> Vec<File> {
@@ -84,7 +80,7 @@ impl Sample {
     }
 
     /// What is said of the files after some replacements in them, each of which must change something.
-    fn judged(&mut self, language: Language, replacements: &[(&str, &str)]) -> Result<(), String> {
+    fn judged(&self, language: Language, replacements: &[(&str, &str)]) -> Result<(), String> {
         let mut files = self.files(language);
         files.retain(|file| file.path.starts_with("match"));
         for (old, new) in replacements {
@@ -96,7 +92,7 @@ impl Sample {
                 file.text = file.text.replace(old, new);
             }
         }
-        let proof = prove_files(&files, &self.specification, language, &mut self.ring);
+        let proof = prove_files(&files, &self.specification, language);
         proof.map(|_| ()).map_err(|doubt| doubt.to_string())
     }
 }
@@ -109,12 +105,13 @@ fn renamed_quantities_are_followed() {
 }
 
 /// An evaluator `e` whose input and output have this name.
-fn called(name: &str) -> (Specification, Ring) {
+fn called(name: &str) -> Specification {
     let mut program = Program::new([name.to_owned()]);
     let input = program.input(name).unwrap();
     let square = program.push(Operation::Multiply(input, input));
     program.output(name, square);
-    let mut ring = Ring::new(Budget::unlimited());
+    let mut elaborator = Elaborator::new(Budget::unlimited());
+    let ring = &mut elaborator.ring;
     let generator = Generator::Constant {
         name: name.to_owned(),
     };
@@ -125,14 +122,15 @@ fn called(name: &str) -> (Specification, Ring) {
         Evaluator::plain("e", program),
         vec![(name.to_owned(), element)],
         vec![(name.to_owned(), square)],
+        elaborator,
     );
-    (specification, ring)
+    specification
 }
 
 /// Words that the texts use themselves: a printer that did not rename them would be refused by a reader.
 #[test]
 fn quantities_may_be_called_as_anything_in_a_text() {
-    let (plain, _) = called("a");
+    let plain = called("a");
     for language in Language::ALL {
         let taken = taken_names(&plain.evaluator, language).unwrap();
         let more = [
@@ -143,9 +141,9 @@ fn quantities_may_be_called_as_anything_in_a_text() {
             if !name.starts_with(|first: char| first.is_ascii_alphabetic()) {
                 continue;
             }
-            let (specification, mut ring) = called(name);
+            let specification = called(name);
             let files = files_of(&specification, language);
-            let proof = prove_files(&files, &specification, language, &mut ring);
+            let proof = prove_files(&files, &specification, language);
             assert!(proof.is_ok(), "{language}, {name}: {proof:?}");
         }
     }
@@ -197,27 +195,26 @@ fn what_is_asked_for_nothing_is_proven() {
     let text =
         "# Numbers\n\n```sextic\nevaluator (1) numbers: c = 7/2 - sqrt(2), d = 3, e = -1/3\n```\n";
     let source = SourceFile::new("numbers.md", text);
-    let mut audit =
+    let audit =
         audit(&source, &ShippedLibrary).unwrap_or_else(|error| panic!("{:?}", error.diagnostics));
-    let specification = specifications(&mut audit).remove(0);
+    let specification = specifications(&audit).remove(0);
     for language in Language::ALL {
         let files = files_of(&specification, language);
-        let ring = &mut audit.elaborator.ring;
-        let proof = prove_files(&files, &specification, language, ring);
+        let proof = prove_files(&files, &specification, language);
         assert!(proof.is_ok(), "{language}: {proof:?}");
         // Another number is found.
         let mut files = files;
         for file in &mut files {
             file.text = file.text.replace("3.5", "2.5");
         }
-        let proof = prove_files(&files, &specification, language, ring);
+        let proof = prove_files(&files, &specification, language);
         assert!(proof.is_err(), "{language}");
     }
 }
 
 #[test]
 fn a_doubt_says_where_and_what() {
-    let mut sample = Sample::new();
+    let sample = Sample::new();
     for (language, old, new, expected) in [
         (
             Language::C,
@@ -267,14 +264,14 @@ fn a_doubt_says_where_and_what() {
             "{new}"
         );
     }
-    let missing = prove_files(&[], &sample.specification, Language::C, &mut sample.ring);
+    let missing = prove_files(&[], &sample.specification, Language::C);
     let doubt = missing.unwrap_err().to_string();
     assert_eq!(doubt, "match.c, line 1: the file is missing");
 }
 
 #[test]
 fn operations_are_the_same_to_the_bit() {
-    let mut sample = Sample::new();
+    let sample = Sample::new();
     let own = "a + lambda_ + b * b";
     for (text, is_same) in [
         ("b * b + (lambda_ + a)", true),
@@ -294,7 +291,7 @@ fn operations_are_the_same_to_the_bit() {
 /// Texts that read as something else than they are, and others that no body is.
 #[test]
 fn nothing_is_hidden_from_a_reader() {
-    let mut sample = Sample::new();
+    let sample = Sample::new();
     for (language, old, new) in [
         (
             Language::C,
@@ -453,7 +450,7 @@ fn nothing_stands_behind_a_file() {
 
 #[test]
 fn comments_are_free() {
-    let mut sample = Sample::new();
+    let sample = Sample::new();
     for (language, old, new) in [
         (
             Language::C,
@@ -556,20 +553,15 @@ fn a_fixed_input_is_the_double_nearest_to_its_value() {
             ("", "0.0178", false),
             ("c", "0.0178", false),
         ] {
-            let mut sample = fixed(&value);
+            let sample = fixed(&value);
             let files = written(language, statements, literal);
-            let proof = prove_files(&files, &sample.specification, language, &mut sample.ring);
+            let proof = prove_files(&files, &sample.specification, language);
             assert_eq!(proof.is_ok(), is_proven, "{language}, {literal}: {proof:?}");
         }
     }
-    let mut negative = fixed(&-value);
+    let negative = fixed(&-value);
     let files = written(Language::C, "b", "-0.0178");
-    let proof = prove_files(
-        &files,
-        &negative.specification,
-        Language::C,
-        &mut negative.ring,
-    );
+    let proof = prove_files(&files, &negative.specification, Language::C);
     assert!(proof.is_ok(), "{proof:?}");
 }
 
@@ -578,7 +570,7 @@ fn fixed_inputs_are_proven_as_they_are_emitted() {
     for (above, below) in [(89, 5_000), (-1, 3), (1, 10), (7, 1), (-1_000_001, 999_983)] {
         let value = Rational::from(above) / Rational::from(below);
         for language in Language::ALL {
-            let mut sample = fixed(&value);
+            let sample = fixed(&value);
             assert_eq!(sample.judged(language, &[]), Ok(()), "{language}, {value}");
         }
     }
@@ -589,9 +581,8 @@ fn turned() -> Sample {
     let text = "# Angles\n\n```sextic\nangle α, β, γ\nparameter a : m > 0\n\
         evaluator [f] matched: x = a*cos(α - 2*β + γ)\n```\n";
     let source = SourceFile::new("angles.md", text);
-    let mut audit =
-        audit(&source, &ShippedLibrary).unwrap_or_else(|e| panic!("{:?}", e.diagnostics));
-    let mut specification = specifications(&mut audit).remove(0);
+    let audit = audit(&source, &ShippedLibrary).unwrap_or_else(|e| panic!("{:?}", e.diagnostics));
+    let mut specification = specifications(&audit).remove(0);
     let angles = specification.evaluator.angles.iter_mut();
     for angle in angles.filter(|angle| angle.quantity.name == "gamma") {
         angle.fixed = Some(Fixed {
@@ -599,15 +590,12 @@ fn turned() -> Sample {
             text: String::new(),
         });
     }
-    Sample {
-        specification,
-        ring: audit.elaborator.ring,
-    }
+    Sample { specification }
 }
 
 #[test]
 fn angles_are_followed() {
-    let mut sample = turned();
+    let sample = turned();
     for language in Language::ALL {
         let files = sample.files(language);
         let text: Vec<&str> = files.iter().map(|file| file.text.as_str()).collect();
@@ -693,7 +681,7 @@ proptest! {
 
 #[test]
 fn deep_and_long_texts_are_refused() {
-    let mut sample = Sample::new();
+    let sample = Sample::new();
     for (language, own) in [
         (Language::Rust, "b.multiply_add(b, a + lambda)"),
         (Language::C, "a + lambda + b * b"),

@@ -10,10 +10,10 @@ use sextic_codegen::arithmetic::doubles::evaluate;
 fn specify(statements: &str) -> Result<Specification, Refusal> {
     let text = format!("# A document\n\n```sextic\n{statements}\n```\n");
     let source = SourceFile::new("document.md", text);
-    let mut audit =
+    let audit =
         audit(&source, &ShippedLibrary).unwrap_or_else(|error| panic!("{:?}", error.diagnostics));
-    let evaluator = audit.evaluators.last().expect("an evaluator").clone();
-    Specification::of(&evaluator, &mut audit, &[])
+    let evaluator = audit.evaluators.last().expect("an evaluator");
+    Specification::of(evaluator, &audit, &[])
 }
 
 /// The outputs at the inputs 2, 3, 5, … in their order.

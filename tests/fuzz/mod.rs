@@ -104,14 +104,13 @@ fn documents_are_judged_and_what_they_compile_is_proven() {
         let Ok(audit) = audit(&SourceFile::new("document.md", text), &ShippedLibrary) else {
             return;
         };
-        let mut audits = [audit];
+        let audits = [audit];
         for language in Language::ALL {
             let order = Order {
                 points: 0,
                 ..Order::of_all(language)
             };
-            if let Err(Failure::Doubted(evaluator, doubt)) =
-                generate(&mut audits, &order, &mut |_| {})
+            if let Err(Failure::Doubted(evaluator, doubt)) = generate(&audits, &order, &mut |_| {})
             {
                 panic!("{language}, {evaluator}: {doubt}");
             }

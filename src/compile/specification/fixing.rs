@@ -8,7 +8,6 @@ use crate::compile::constant::Constant;
 use crate::compile::fixed::Fixed;
 use crate::derivation::presentation::Presenter;
 use crate::language::syntax::{Expression, Name, Replacement};
-use crate::verdict::audit::Audit;
 
 use super::{Refusal, Specification};
 
@@ -18,18 +17,15 @@ const FULL_TURN: (i64, i64) = (6_284, 1000);
 /// The replacements of the quantities that make a program simpler; all of them are looked at first.
 pub(super) fn replacements(
     fixed: &[&Fixed],
-    general: &Specification,
-    audit: &mut Audit,
+    general: &mut Specification,
 ) -> Result<Vec<Replacement>, Refusal> {
-    general.admit(fixed, audit)?;
+    general.admit(fixed)?;
     let is_simple = |fixed: &&&Fixed| {
         let is_angle = general.evaluator.angle(&fixed.name).is_some();
         fixed.value.is_zero() || (!is_angle && magnitude(&fixed.value).is_one())
     };
     let simple = fixed.iter().filter(is_simple);
-    simple
-        .map(|fixed| general.replacement(fixed, audit))
-        .collect()
+    simple.map(|fixed| general.replacement(fixed)).collect()
 }
 
 impl Specification {
@@ -39,30 +35,30 @@ impl Specification {
     /// # Errors
     ///
     /// [`Refusal::Number`]
-    pub fn admit(&self, numbers: &[&Fixed], audit: &mut Audit) -> Result<(), Refusal> {
+    pub fn admit(&mut self, numbers: &[&Fixed]) -> Result<(), Refusal> {
         let full_turn = Rational::from(FULL_TURN.0) / Rational::from(FULL_TURN.1);
         let mut replacements = Vec::new();
         for number in numbers.iter().filter(|number| self.rests_on(&number.name)) {
             if self.evaluator.angle(&number.name).is_none() {
-                replacements.push(self.replacement(number, audit)?);
+                replacements.push(self.replacement(number)?);
             } else if magnitude(&number.value) > full_turn {
                 let reason = "this is more than a full turn, and angles are given in radians";
                 return Err(Refusal::Number(number.name.clone(), reason.to_string()));
             }
         }
-        self.admit_replacements(&replacements, audit)
+        self.admit_replacements(&replacements)
     }
 
     /// A number in the place of what its name stands for in the document.
-    fn replacement(&self, number: &Fixed, audit: &Audit) -> Result<Replacement, Refusal> {
+    fn replacement(&self, number: &Fixed) -> Result<Replacement, Refusal> {
         let mut inputs = self.evaluator.inputs.iter();
         let target = match inputs.position(|input| input.quantity.name == number.name) {
             // An angle, of which only the sine and cosine are inputs.
             None => Expression::name(Name::new(&number.name)),
             Some(place) => {
                 let presenter = Presenter {
-                    ring: &audit.elaborator.ring,
-                    scope: &audit.elaborator.scope,
+                    ring: &self.elaborator.ring,
+                    scope: &self.elaborator.scope,
                 };
                 let written = presenter.symbol(self.symbols[place]);
                 written.map_err(|error| Refusal::Program(error.to_string()))?

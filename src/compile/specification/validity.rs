@@ -22,17 +22,13 @@ use super::{Refusal, Specification};
 
 impl Specification {
     /// Whether the document allows numbers, and none of them makes a divisor zero.
-    pub(super) fn admit_replacements(
-        &self,
-        numbers: &[Replacement],
-        audit: &mut Audit,
-    ) -> Result<(), Refusal> {
+    pub(super) fn admit_replacements(&mut self, numbers: &[Replacement]) -> Result<(), Refusal> {
         let names: Vec<String> = numbers
             .iter()
             .map(|number| Notation::Ascii.expression(&number.target))
             .collect();
         let refuse = |reason: String| Refusal::Number(names.join(", "), reason);
-        let elaborator = &mut audit.elaborator;
+        let elaborator = &mut self.elaborator;
         elaborator.fresh();
         let images = elaborator.admit(numbers, &(0..0));
         let images = images.map_err(|error| refuse(error.message))?;
