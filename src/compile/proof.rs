@@ -35,15 +35,11 @@ impl fmt::Display for Proof {
             1 => format!("the {one}"),
             _ => format!("the {count} {more}"),
         };
-        let language = match self.language {
-            Language::Rust => "Rust",
-            Language::C => "C",
-            Language::Python => "Python",
-        };
         write!(
             f,
-            "Read back from this {language}, {} of {} equal the derived expressions in exact algebra{}, by \
+            "Read back from this {}, {} of {} equal the derived expressions in exact algebra{}, by \
              exactly the operations that are counted.",
+            self.language.title(),
             count(self.outputs, "output", "outputs"),
             count(self.bodies, "body", "bodies"),
             match self.constants {

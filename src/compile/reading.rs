@@ -10,6 +10,7 @@ mod infix;
 mod literal;
 pub(super) mod names;
 mod python;
+mod reader;
 mod rust;
 mod shape;
 mod token;
@@ -19,6 +20,7 @@ use sextic_codegen::language::{File, Language};
 
 pub use body::{Door, Reading, Source, Term, Unreadable};
 use names::{Names, spellings};
+use reader::{Reader, Texts};
 
 /// What was read of an evaluator's files, each part with its place in words.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,19 +45,23 @@ pub fn read(
     evaluator: &Evaluator,
     language: Language,
 ) -> Result<Readings, (String, Unreadable)> {
-    let main = match language {
-        Language::Rust => "rs",
-        Language::C => "c",
-        Language::Python => "py",
-    };
+    let reader = reader(language);
     // A file of the name itself may be one that all evaluators share, such as `lib.rs`.
     let is_there = |function: &String| {
-        let path = format!("{function}.{main}");
+        let path = format!("{function}.{}", reader.ending);
         files.iter().any(|file| file.path == path)
     };
     let mut found = spellings(&evaluator.name, |_| false).filter(is_there);
     let first = found.next().unwrap_or_else(|| evaluator.name.clone());
-    let read = |function: &str| read_as(files, evaluator, language, function);
+    let read = |function: &str| {
+        let texts = Texts { files, function };
+        let mut names = Names::new(evaluator, function);
+        let readings = (reader.read)(&texts, &mut names);
+        readings.map(|(bodies, door)| Readings {
+            bodies,
+            door: (!names.asked.is_empty()).then_some(door),
+        })
+    };
     match read(&first) {
         Ok(readings) => Ok(readings),
         Err(refused) => found
@@ -64,56 +70,10 @@ pub fn read(
     }
 }
 
-/// The same where the function has this name.
-fn read_as(
-    files: &[File],
-    evaluator: &Evaluator,
-    language: Language,
-    function: &str,
-) -> Result<Readings, (String, Unreadable)> {
-    let (main, ending) = match language {
-        Language::Rust => ("rs", "rs"),
-        Language::C => ("c", "h"),
-        Language::Python => ("py", "py"),
-    };
-    let file = |path: &str| files.iter().find(|file| file.path == path);
-    let text = |ending: &str| {
-        let path = format!("{function}.{ending}");
-        match file(&path) {
-            Some(file) => Ok((path, file.text.as_str())),
-            None => {
-                let reason = "the file is missing".to_string();
-                Err((path, Unreadable { line: 1, reason }))
-            }
-        }
-    };
-    let mut names = Names::new(evaluator, function);
-    let (path, source) = text(main)?;
-    let unreadable = |unreadable| (path.clone(), unreadable);
-    let place = |suffix: &str| format!("{path}, `{function}{suffix}`");
-    let (bodies, door) = match language {
-        Language::Rust => {
-            let (reading, door) = rust::read(source, &mut names).map_err(unreadable)?;
-            (
-                vec![(place("_body"), reading)],
-                (place("Inputs::from"), door),
-            )
-        }
-        Language::C => {
-            let (header_path, header) = text(ending)?;
-            c::read_header(header, &mut names).map_err(|unreadable| (header_path, unreadable))?;
-            let ([plain, bounded], door) =
-                c::read_source(source, &mut names).map_err(unreadable)?;
-            let bodies = vec![(place("_body"), plain), (place("_with_bound"), bounded)];
-            (bodies, (place("_inputs_at"), door))
-        }
-        Language::Python => {
-            let (reading, door) = python::read(source, &mut names).map_err(unreadable)?;
-            (vec![(place(""), reading)], (place(".at_angles"), door))
-        }
-    };
-    Ok(Readings {
-        bodies,
-        door: (!names.asked.is_empty()).then_some(door),
-    })
+fn reader(language: Language) -> Reader {
+    match language {
+        Language::Rust => rust::READER,
+        Language::C => c::READER,
+        Language::Python => python::READER,
+    }
 }

@@ -3,23 +3,28 @@
 pub(super) mod arithmetic;
 mod block;
 pub mod critical;
+mod dense;
 mod disc;
 mod entries;
 pub mod error;
+mod evaluation;
 mod gaussian;
 pub mod instance;
 mod jet;
 #[cfg(test)]
 mod laws;
 mod linear_equations;
+mod motion;
 mod moving;
 mod parameter;
 mod pencil;
 mod polynomial;
 mod real;
+pub mod spectrum;
 mod state;
 pub mod sweep;
 mod vector;
+mod verdict;
 
 use sextic_codegen::evaluator::Evaluator;
 

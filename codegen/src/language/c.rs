@@ -9,6 +9,7 @@ use super::documentation::{self, Comments};
 use super::door::{Door, Source};
 use super::literal::Decimal;
 use super::notation::{Binding, Notation, Sign, Text, infix, plain_literal, prefix};
+use super::printer::Printer;
 use super::statements::{self, Body};
 use super::taken::{Taken, Vocabulary, guard};
 use super::{Error, Field, File, Named, render};
@@ -20,7 +21,16 @@ const SOURCE: &str = include_str!("../../templates/c/source.c.tera");
 const BOUNDED: &str = include_str!("../../support/sextic_bounded.h");
 
 /// One space of names holds all evaluators, in C++ also what a structure has and the types of its fields.
-pub(super) const TAKEN: Taken = Taken {
+/// The language.
+pub(super) const PRINTER: Printer = Printer {
+    name: "c",
+    title: "C",
+    taken: TAKEN,
+    comments: COMMENTS,
+    emit,
+};
+
+const TAKEN: Taken = Taken {
     words: RESERVED,
     files: &["float", "math", "sextic_bounded", "stddef"],
     functions: FUNCTIONS,
@@ -42,7 +52,7 @@ pub(super) const TAKEN: Taken = Taken {
     is_shared: true,
 };
 
-pub(super) const COMMENTS: Comments = Comments {
+const COMMENTS: Comments = Comments {
     prose: harmless,
     code: harmless,
     heading: |heading| format!("{heading}:"),
@@ -136,7 +146,7 @@ struct Module {
 /// # Errors
 ///
 /// If a name is no identifier or occurs twice, or a constant is beyond the doubles.
-pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
+fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
     let mut files = vec![File {
         path: "sextic_bounded.h".to_owned(),
         text: BOUNDED.to_owned(),

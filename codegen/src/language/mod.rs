@@ -11,6 +11,7 @@ pub mod literal;
 mod named;
 pub mod names;
 pub mod notation;
+mod printer;
 pub mod python;
 pub mod rust;
 pub mod statements;
@@ -27,7 +28,8 @@ use documentation::Comments;
 use door::Door;
 pub use error::Error;
 use named::{Field, Named};
-use taken::{Taken, Vocabulary};
+use printer::Printer;
+use taken::Vocabulary;
 
 /// What source text can be written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -46,10 +48,19 @@ impl Language {
 
     /// What it is called on the command line.
     pub const fn name(self) -> &'static str {
+        self.printer().name
+    }
+
+    /// What it is called in a sentence.
+    pub const fn title(self) -> &'static str {
+        self.printer().title
+    }
+
+    const fn printer(self) -> &'static Printer {
         match self {
-            Language::Rust => "rust",
-            Language::C => "c",
-            Language::Python => "python",
+            Language::Rust => &rust::PRINTER,
+            Language::C => &c::PRINTER,
+            Language::Python => &python::PRINTER,
         }
     }
 }
@@ -102,11 +113,7 @@ pub fn emit(evaluators: &[Evaluator], language: Language) -> Result<Vec<File>, E
     for evaluator in evaluators {
         check(evaluator)?;
     }
-    let mut files = match language {
-        Language::Rust => rust::emit(evaluators)?,
-        Language::C => c::emit(evaluators)?,
-        Language::Python => python::emit(evaluators)?,
-    };
+    let mut files = (language.printer().emit)(evaluators)?;
     files.sort();
     Ok(files)
 }
@@ -128,20 +135,22 @@ pub struct Renamed {
 ///
 /// If a name is no identifier or occurs twice, or a constant is beyond the doubles.
 pub fn renamed(evaluators: &[Evaluator], language: Language) -> Result<Vec<Renamed>, Error> {
-    let (taken, comments) = taken(language);
+    let Printer {
+        taken, comments, ..
+    } = language.printer();
     let mut renamed = Vec::new();
     for (evaluator, named) in evaluators
         .iter()
-        .zip(Named::all(evaluators, &Vocabulary::of(taken))?)
+        .zip(Named::all(evaluators, &Vocabulary::of(*taken))?)
     {
-        let (inputs, outputs) = named.fields(evaluator, &comments);
+        let (inputs, outputs) = named.fields(evaluator, comments);
         let quantities = evaluator.free_inputs().map(|input| &input.quantity);
         let quantities = quantities.chain(&evaluator.outputs);
         let fields = inputs.into_iter().chain(outputs);
         let quantities = quantities.map(|what| what.name.as_str());
         let mut names: Vec<(&str, String)> =
             quantities.zip(fields.map(|field| field.name)).collect();
-        if let Some(door) = Door::of(evaluator, &named, &comments)? {
+        if let Some(door) = Door::of(evaluator, &named, comments)? {
             names.extend(door.called);
         }
         renamed.push(Renamed {
@@ -172,20 +181,12 @@ fn changed(names: Vec<(&str, String)>) -> Vec<(String, String)> {
 ///
 /// If a name is no identifier or occurs twice.
 pub fn taken_names(evaluator: &Evaluator, language: Language) -> Result<BTreeSet<String>, Error> {
-    let vocabulary = Vocabulary::of(taken(language).0);
+    let vocabulary = Vocabulary::of(language.printer().taken);
     let named = Named::all(std::slice::from_ref(evaluator), &vocabulary)?;
     let functions = named.iter().map(|named| &named.function);
     Ok(functions
         .flat_map(|function| vocabulary.variables(function))
         .collect())
-}
-
-fn taken(language: Language) -> (Taken, Comments) {
-    match language {
-        Language::Rust => (rust::TAKEN, rust::COMMENTS),
-        Language::C => (c::TAKEN, c::COMMENTS),
-        Language::Python => (python::TAKEN, python::COMMENTS),
-    }
 }
 
 fn check(evaluator: &Evaluator) -> Result<(), Error> {

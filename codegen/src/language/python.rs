@@ -8,6 +8,7 @@ use super::door::{Door, Source};
 use super::literal::Decimal;
 use super::names::camel_case;
 use super::notation::{Binding, Notation, Sign, Text, infix, plain_literal, prefix};
+use super::printer::Printer;
 use super::statements;
 use super::taken::{Taken, Vocabulary};
 use super::{Error, Field, File, Named, commands, render};
@@ -25,7 +26,16 @@ const KEYWORDS: [&str; 41] = [
 ];
 
 /// Fields are arguments too.
-pub(super) const TAKEN: Taken = Taken {
+/// The language.
+pub(super) const PRINTER: Printer = Printer {
+    name: "python",
+    title: "Python",
+    taken: TAKEN,
+    comments: COMMENTS,
+    emit,
+};
+
+const TAKEN: Taken = Taken {
     words: &KEYWORDS,
     files: &[],
     functions: &[],
@@ -36,7 +46,7 @@ pub(super) const TAKEN: Taken = Taken {
     is_shared: true,
 };
 
-pub(super) const COMMENTS: Comments = Comments {
+const COMMENTS: Comments = Comments {
     prose: harmless,
     code: harmless,
     heading: |heading| format!("{heading}:"),
@@ -105,7 +115,7 @@ struct Package {
 /// # Errors
 ///
 /// If a name is no identifier or occurs twice, or a constant is beyond the doubles.
-pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
+fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
     let all = Named::all(evaluators, &Vocabulary::of(TAKEN))?;
     let mut files = Vec::new();
     let mut modules = Vec::new();

@@ -8,6 +8,7 @@ use super::door::{Door, Source};
 use super::literal::Decimal;
 use super::names::camel_case;
 use super::notation::{Binding, Fused, Notation, Sign, Text, infix, plain_literal, prefix};
+use super::printer::Printer;
 use super::statements;
 use super::taken::{Taken, Vocabulary};
 use super::{Error, Field, File, Named, commands, render};
@@ -85,7 +86,16 @@ const MODULES: [&str; ROOTS.len() + SUPPORT.len() + EXACT_MODES.len()] = {
 };
 
 /// Each evaluator is in a module of its own.
-pub(super) const TAKEN: Taken = Taken {
+/// The language.
+pub(super) const PRINTER: Printer = Printer {
+    name: "rust",
+    title: "Rust",
+    taken: TAKEN,
+    comments: COMMENTS,
+    emit,
+};
+
+const TAKEN: Taken = Taken {
     words: &KEYWORDS,
     files: &MODULES,
     functions: &[],
@@ -97,7 +107,7 @@ pub(super) const TAKEN: Taken = Taken {
     is_shared: false,
 };
 
-pub(super) const COMMENTS: Comments = Comments {
+const COMMENTS: Comments = Comments {
     prose: markdown,
     code: str::to_owned,
     heading: |heading| format!("# {heading}"),
@@ -213,7 +223,7 @@ struct Library {
 /// # Errors
 ///
 /// If a name is no identifier or occurs twice, or a constant is beyond the doubles.
-pub fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
+fn emit(evaluators: &[Evaluator]) -> Result<Vec<File>, Error> {
     let mut modules = Vec::new();
     let mut list = Vec::new();
     let mut files = Vec::new();

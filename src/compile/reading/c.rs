@@ -7,6 +7,7 @@ use super::cursor::Cursor;
 use super::infix::expression;
 use super::literal::decimal;
 use super::names::{Name, Names, quantity};
+use super::reader::Reader;
 use super::shape::{Hole, follow, taken};
 use super::token::{Dialect, tokens};
 
@@ -22,12 +23,28 @@ const DEEPEST: usize = 64;
 /// Words of bodies that no variable may have for a name.
 const TAKEN: [&str; 5] = ["sqrt", "cos", "sin", "sextic_exact", "sextic_square_root"];
 
+/// Headers and sources.
+pub(super) const READER: Reader = Reader {
+    ending: "c",
+    read: |texts, names| {
+        // Without a source nothing is read.
+        texts.read("c", |_| Ok(()))?;
+        texts.read("h", |text| read_header(text, names))?;
+        let ([plain, bounded], door) = texts.read("c", |text| read_source(text, names))?;
+        let bodies = vec![
+            (texts.place("c", "_body"), plain),
+            (texts.place("c", "_with_bound"), bounded),
+        ];
+        Ok((bodies, (texts.place("c", "_inputs_at"), door)))
+    },
+};
+
 /// Checks the header: its structures have exactly the fields of the evaluator, in order.
 ///
 /// # Errors
 ///
 /// [`Unreadable`] at the first token that is not as it must be.
-pub(super) fn read_header(text: &str, names: &mut Names) -> Result<(), Unreadable> {
+fn read_header(text: &str, names: &mut Names) -> Result<(), Unreadable> {
     let tokens = tokens(text, Dialect::C)?;
     let mut cursor = Cursor::new(&tokens);
     follow(
@@ -45,10 +62,7 @@ pub(super) fn read_header(text: &str, names: &mut Names) -> Result<(), Unreadabl
 /// # Errors
 ///
 /// [`Unreadable`] at the first token that is not as it must be.
-pub(super) fn read_source(
-    text: &str,
-    names: &mut Names,
-) -> Result<([Reading; 2], Door), Unreadable> {
+fn read_source(text: &str, names: &mut Names) -> Result<([Reading; 2], Door), Unreadable> {
     let tokens = tokens(text, Dialect::C)?;
     let mut cursor = Cursor::new(&tokens);
     let taken = taken(SOURCE, Dialect::C, names)?;

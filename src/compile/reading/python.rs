@@ -6,6 +6,7 @@ use super::body::{Door, Reading, Source, Unreadable};
 use super::cursor::Cursor;
 use super::infix::expression;
 use super::names::{Name, Names, quantity};
+use super::reader::Reader;
 use super::shape::{Hole, follow, taken};
 use super::token::{Dialect, tokens};
 
@@ -21,12 +22,24 @@ const LINE: &str = "\n    ";
 /// The start of a line of the method that takes angles.
 const INNER_LINE: &str = "\n        ";
 
+/// Modules of a package.
+pub(super) const READER: Reader = Reader {
+    ending: "py",
+    read: |texts, names| {
+        let (reading, door) = texts.read("py", |text| read(text, names))?;
+        Ok((
+            vec![(texts.place("py", ""), reading)],
+            (texts.place("py", ".at_angles"), door),
+        ))
+    },
+};
+
 /// Reads a module: two classes with exactly the fields of the evaluator, and a function.
 ///
 /// # Errors
 ///
 /// [`Unreadable`] at the first token that is not as it must be.
-pub(super) fn read(text: &str, names: &mut Names) -> Result<(Reading, Door), Unreadable> {
+fn read(text: &str, names: &mut Names) -> Result<(Reading, Door), Unreadable> {
     let tokens = tokens(text, Dialect::Python)?;
     let mut cursor = Cursor::new(&tokens);
     let taken = taken(MODULE, Dialect::Python, names)?;

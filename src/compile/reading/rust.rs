@@ -8,6 +8,7 @@ use super::body::{Door, Reading, Source, Term, Unreadable};
 use super::cursor::{Cursor, is_word};
 use super::literal::decimal;
 use super::names::{Name, Names, quantity};
+use super::reader::Reader;
 use super::shape::{Hole, follow, taken};
 use super::token::{Dialect, tokens};
 
@@ -25,13 +26,25 @@ const DEEPEST: usize = 64;
 /// How many tokens a value may have.
 const LONGEST: usize = 1_000;
 
+/// Modules of a crate.
+pub(super) const READER: Reader = Reader {
+    ending: "rs",
+    read: |texts, names| {
+        let (reading, door) = texts.read("rs", |text| read(text, names))?;
+        Ok((
+            vec![(texts.place("rs", "_body"), reading)],
+            (texts.place("rs", "Inputs::from"), door),
+        ))
+    },
+};
+
 /// Reads a module: structures with exactly the fields of the evaluator, and the functions on them.
 ///
 /// # Errors
 ///
 /// [`Unreadable`] at the first token that is not as it must be, and for the first statement of the body
 /// that is no assignment of a value.
-pub(super) fn read(text: &str, names: &mut Names) -> Result<(Reading, Door), Unreadable> {
+fn read(text: &str, names: &mut Names) -> Result<(Reading, Door), Unreadable> {
     let tokens = tokens(text, Dialect::Rust)?;
     let mut cursor = Cursor::new(&tokens);
     let mut taken = taken(MODULE, Dialect::Rust, names)?;

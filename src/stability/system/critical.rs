@@ -14,7 +14,7 @@ use super::block::blocks;
 use super::entries::{Entries, Matrices, check};
 use super::error::SystemError;
 use super::jet::{Jet, Jets};
-use super::moving::{Motion, motion};
+use super::motion::{Motion, motion};
 use super::parameter::{Parameters, chosen, is_double, names};
 use super::real::Real;
 

@@ -12,139 +12,31 @@
 
 use num_complex::Complex;
 
-use super::MOST_COORDINATES;
-use super::arithmetic::Reals;
+use super::dense::{
+    ABOVE, Coefficient, Complexes, MOST, absolute, add, complex_product, left_inverse, product,
+    scaled, subtract, sums, weighted,
+};
 use super::entries::Matrices;
-use super::jet::{Jet, Jets};
-use super::linear_equations::Factors;
+use super::jet::Jet;
 use super::pencil::Pencil;
-use super::polynomial::characteristic_polynomial;
 use super::real::Real;
 use super::state::{state_matrix, stiffness_over_mass};
 use super::vector::{Vector, shape};
 use crate::stability::francis::eigenvalues;
 
-/// 2n at most.
-const MOST: usize = 2 * MOST_COORDINATES;
-
-/// More than what is lost where bounds are computed.
-const ABOVE: f64 = 1.0 + 1e-12;
-
-type Complexes = [[Complex<f64>; MOST]; MOST];
-type Bounds = [f64; MOST];
-
-/// What is certain of the eigenvalues of a block on a range.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Motion {
-    /// All real parts are below 0.
-    Damped,
-    /// All real parts are 0, and no eigenvalue is: the block has no damping.
-    Neutral,
-    /// Nothing.
-    Unknown,
-    /// A real part is above 0.
-    Growing,
-    /// A real eigenvalue is above 0.
-    Divergent,
-}
-
 /// A disc that moves: its centre is value + δ slope.
 #[derive(Clone, Copy, Debug)]
-struct Disc {
-    value: Complex<f64>,
-    slope: Complex<f64>,
-    radius: f64,
-}
-
-/// What is certain of a block with these matrices for |δ| ≤ h: by discs and, where these leave it open, as about
-/// eigenvalues that coincide and have one vector, by the characteristic polynomial.
-pub(super) fn motion(matrices: &Matrices<Jet>, h: f64) -> Motion {
-    match by_discs(matrices, h) {
-        Motion::Unknown => by_polynomial(matrices, h),
-        known => known,
-    }
-}
-
-/// What the signs of the characteristic polynomial show on the whole range.
-fn by_polynomial(matrices: &Matrices<Jet>, h: f64) -> Motion {
-    let jets = Jets::new(h);
-    let pencil = pencil_of(matrices);
-    let range = matrices
-        .map(|[power, row, column], own| jets.range(own).scaled(pencil.factor(power, row, column)));
-    let Ok(polynomial) = characteristic_polynomial(&range, &Reals);
-    let is_negative = |own: &Real| own.centre < -own.radius;
-    let is_positive = |own: &Real| own.centre > own.radius;
-    let polynomial: Vec<Real> = match polynomial.last() {
-        Some(last) if is_positive(last) => polynomial,
-        Some(last) if is_negative(last) => polynomial.into_iter().map(|own| -own).collect(),
-        _ => return Motion::Unknown,
-    };
-    if is_negative(&polynomial[0]) {
-        return Motion::Divergent;
-    }
-    by_routh(polynomial)
-}
-
-/// What the signs of Routh's scheme show, as far as it goes.
-fn by_routh(polynomial: Vec<Real>) -> Motion {
-    let degree = polynomial.len() - 1;
-    let row = |first: usize| -> Vec<Real> {
-        polynomial
-            .iter()
-            .rev()
-            .skip(first)
-            .step_by(2)
-            .copied()
-            .collect()
-    };
-    let (mut above, mut own) = (row(0), row(1));
-    for _ in 0..degree {
-        let first = own.first().copied().unwrap_or(Real::ZERO);
-        let is_positive = first.centre > first.radius;
-        let factor = match above[0].quotient(first) {
-            Some(factor) if is_positive => factor,
-            _ if first.centre < -first.radius => return Motion::Growing,
-            _ => return Motion::Unknown,
-        };
-        let entry = |(place, upper): (usize, &Real)| {
-            *upper - factor * own.get(place + 1).copied().unwrap_or(Real::ZERO)
-        };
-        let next = above.iter().skip(1).enumerate().map(entry).collect();
-        (above, own) = (own, next);
-    }
-    Motion::Damped
-}
-
-fn pencil_of(matrices: &Matrices<Jet>) -> Pencil {
-    Pencil::new(matrices.size, |power, row, column| {
-        matrices.at(power, row, column).value
-    })
-}
-
-/// What discs show.
-fn by_discs(matrices: &Matrices<Jet>, h: f64) -> Motion {
-    let pencil = pencil_of(matrices);
-    let scaled =
-        matrices.map(|[power, row, column], own| own.scaled(pencil.factor(power, row, column)));
-    let is_undamped = scaled.powers[1].iter().all(Jet::is_zero);
-    let found = match is_undamped {
-        true => squares(&pencil).and_then(|(values, vectors)| {
-            let linear = Linear::of_squares(&scaled);
-            Some(of_squares(&discs(&linear, &values, &vectors, h)?, h))
-        }),
-        false => values(&pencil).and_then(|(values, vectors)| {
-            let linear = Linear::of_states(&scaled);
-            Some(of_states(&discs(&linear, &values, &vectors, h)?, h))
-        }),
-    };
-    found.unwrap_or(Motion::Unknown)
+pub(super) struct Disc {
+    pub value: Complex<f64>,
+    pub slope: Complex<f64>,
+    pub radius: f64,
 }
 
 /// Eigenvalues and a vector for each.
 type Approximations = (Vec<Complex<f64>>, Vec<Vector>);
 
 /// Eigenvalues and vectors (q, λq).
-fn values(pencil: &Pencil) -> Option<Approximations> {
+pub(super) fn values(pencil: &Pencil) -> Option<Approximations> {
     let n = pencil.size;
     let values = eigenvalues(2 * n, &state_matrix(pencil)?)?[..2 * n].to_vec();
     let vector = |(number, value): (usize, &Complex<f64>)| {
@@ -163,7 +55,7 @@ fn values(pencil: &Pencil) -> Option<Approximations> {
 }
 
 /// Eigenvalues s = λ² of a block without damping, and their vectors.
-fn squares(pencil: &Pencil) -> Option<Approximations> {
+pub(super) fn squares(pencil: &Pencil) -> Option<Approximations> {
     let n = pencil.size;
     let values = eigenvalues(n, &stiffness_over_mass(pencil)?)?[..n].to_vec();
     let vector =
@@ -194,15 +86,10 @@ fn of_pair(
 }
 
 /// A and B of a pencil A − λB in powers of δ: entries and bounds of their errors, that of δ² for the whole range.
-struct Linear {
+pub(super) struct Linear {
     size: usize,
     a: [Coefficient; 3],
     b: [Coefficient; 3],
-}
-
-struct Coefficient {
-    centre: [[f64; MOST]; MOST],
-    radius: [[f64; MOST]; MOST],
 }
 
 impl Linear {
@@ -232,7 +119,7 @@ impl Linear {
     }
 
     /// A = \[0, I; −K, −C\], B = diagonal(I, M)
-    fn of_states(matrices: &Matrices<Jet>) -> Self {
+    pub fn of_states(matrices: &Matrices<Jet>) -> Self {
         let n = matrices.size;
         let one = Jet::constant(Real::ONE);
         let unit = |is_one: bool| if is_one { one } else { Jet::default() };
@@ -249,7 +136,7 @@ impl Linear {
     }
 
     /// A = −K, B = M
-    fn of_squares(matrices: &Matrices<Jet>) -> Self {
+    pub fn of_squares(matrices: &Matrices<Jet>) -> Self {
         let a = |row: usize, column: usize| matrices.at(0, row, column).scaled(-1.0);
         Linear::new(matrices.size, a, |row, column| *matrices.at(2, row, column))
     }
@@ -262,7 +149,7 @@ fn rounding(summands: usize) -> f64 {
 }
 
 /// Discs that hold as many eigenvalues as they are where they do not touch, at every |δ| ≤ h.
-fn discs(
+pub(super) fn discs(
     linear: &Linear,
     values: &[Complex<f64>],
     vectors: &[Vector],
@@ -398,182 +285,4 @@ fn moved(values: &[Complex<f64>], d: &Complexes, rest: &[f64], h: f64) -> Option
         }
     };
     Some((0..size).map(disc).collect())
-}
-
-/// Discs of λ.
-fn of_states(discs: &[Disc], h: f64) -> Motion {
-    let reach = |own: &Disc| (h * own.slope.re.abs() + own.radius) * ABOVE;
-    if discs.iter().all(|own| own.value.re < -reach(own)) {
-        return Motion::Damped;
-    }
-    of_groups(
-        discs,
-        h,
-        |own| own.value.re > reach(own),
-        |own| own.value.re > reach(own),
-    )
-}
-
-/// Discs of s = λ²: what is not real and below 0 has a root to the right.
-fn of_squares(discs: &[Disc], h: f64) -> Motion {
-    let groups = groups(discs, h);
-    let reach = |own: &Disc| (h * own.slope.re.abs() + own.radius) * ABOVE;
-    let is_neutral = |(place, own): (usize, &Disc)| {
-        own.value.im == 0.0 && own.value.re < -reach(own) && is_alone(&groups, place)
-    };
-    if discs.iter().enumerate().all(is_neutral) {
-        return Motion::Neutral;
-    }
-    let is_off = |own: &Disc| {
-        own.value.re > reach(own)
-            || own.value.im.abs() > (h * own.slope.im.abs() + own.radius) * ABOVE
-    };
-    of_groups(discs, h, is_off, |own| own.value.re > reach(own))
-}
-
-/// What discs show that touch no others.
-fn of_groups(
-    discs: &[Disc],
-    h: f64,
-    is_growing: impl Fn(&Disc) -> bool,
-    is_right: impl Fn(&Disc) -> bool,
-) -> Motion {
-    let groups = groups(discs, h);
-    let mut found = Motion::Unknown;
-    for (place, own) in discs.iter().enumerate() {
-        if own.value.im == 0.0 && is_right(own) && is_alone(&groups, place) {
-            return Motion::Divergent;
-        }
-        let mut members = discs
-            .iter()
-            .zip(&groups)
-            .filter(|(_, group)| **group == groups[place]);
-        if members.all(|(member, _)| is_growing(member)) {
-            found = Motion::Growing;
-        }
-    }
-    found
-}
-
-fn is_alone(groups: &[usize], place: usize) -> bool {
-    groups.iter().filter(|own| **own == groups[place]).count() == 1
-}
-
-/// The group of each disc: those in different ones do not touch at any |δ| ≤ h.
-fn groups(discs: &[Disc], h: f64) -> Vec<usize> {
-    let touch = |a: &Disc, b: &Disc| {
-        let distance = (a.value - b.value).norm() - h * (a.slope - b.slope).norm() * ABOVE;
-        distance
-            <= (a.radius + b.radius) * ABOVE
-                + 4.0 * f64::EPSILON * (a.value.norm() + b.value.norm())
-    };
-    let mut groups: Vec<usize> = (0..discs.len()).collect();
-    for one in 0..discs.len() {
-        for other in 0..one {
-            if groups[one] != groups[other] && touch(&discs[one], &discs[other]) {
-                let (from, to) = (groups[one], groups[other]);
-                groups
-                    .iter_mut()
-                    .filter(|own| **own == from)
-                    .for_each(|own| *own = to);
-            }
-        }
-    }
-    groups
-}
-
-/// The inverse of a complex matrix; `None` if there is none in doubles.
-fn left_inverse(size: usize, matrix: &Complexes) -> Option<Complexes> {
-    let factors = Factors::new(size, *matrix, 0.0)?;
-    let mut inverse = [[Complex::ZERO; MOST]; MOST];
-    for column in 0..size {
-        let mut right = [Complex::ZERO; MOST];
-        right[column] = Complex::ONE;
-        let solution = factors.solve(&right);
-        (0..size).for_each(|row| inverse[row][column] = solution[row]);
-    }
-    Some(inverse)
-}
-
-fn product(size: usize, left: &[[f64; MOST]; MOST], right: &Complexes) -> Complexes {
-    let mut product = [[Complex::ZERO; MOST]; MOST];
-    for (own, factors) in product[..size].iter_mut().zip(left) {
-        for (factor, row) in factors[..size]
-            .iter()
-            .zip(right)
-            .filter(|(factor, _)| **factor != 0.0)
-        {
-            own[..size]
-                .iter_mut()
-                .zip(row)
-                .for_each(|(own, entry)| *own += entry * factor);
-        }
-    }
-    product
-}
-
-fn complex_product(size: usize, left: &Complexes, right: &Complexes) -> Complexes {
-    let mut product = [[Complex::ZERO; MOST]; MOST];
-    for (own, factors) in product[..size].iter_mut().zip(left) {
-        for (factor, row) in factors[..size].iter().zip(right) {
-            own[..size]
-                .iter_mut()
-                .zip(row)
-                .for_each(|(own, entry)| *own += entry * factor);
-        }
-    }
-    product
-}
-
-fn subtract(size: usize, from: &mut Complexes, other: &Complexes) {
-    for (own, row) in from[..size].iter_mut().zip(other) {
-        own.iter_mut()
-            .zip(row)
-            .for_each(|(own, entry)| *own -= entry);
-    }
-}
-
-/// The sums of the absolute values of rows.
-fn sums(size: usize, matrix: &Complexes) -> Bounds {
-    std::array::from_fn(|row| match row < size {
-        true => {
-            matrix[row][..size]
-                .iter()
-                .map(|own| own.l1_norm())
-                .sum::<f64>()
-                * ABOVE
-        }
-        false => 0.0,
-    })
-}
-
-/// (factor |centre| + radius) times a vector.
-fn weighted(size: usize, matrix: &Coefficient, factor: f64, vector: &Bounds) -> Bounds {
-    std::array::from_fn(|row| {
-        let pairs = matrix.centre[row][..size].iter().zip(&matrix.radius[row]);
-        let bound = |(centre, radius): (&f64, &f64)| centre.abs() * factor + radius;
-        pairs
-            .map(bound)
-            .zip(vector)
-            .map(|(own, size)| own * size)
-            .sum::<f64>()
-            * ABOVE
-            + f64::MIN_POSITIVE * 64.0
-    })
-}
-
-/// |Y| times a vector.
-fn absolute(size: usize, y: &Complexes, vector: &Bounds) -> Bounds {
-    std::array::from_fn(|row| {
-        let pairs = y[row][..size].iter().zip(vector);
-        pairs.map(|(own, size)| own.l1_norm() * size).sum::<f64>() * ABOVE
-    })
-}
-
-fn add(a: &Bounds, b: &Bounds) -> Bounds {
-    std::array::from_fn(|place| (a[place] + b[place]) * ABOVE)
-}
-
-fn scaled(a: &Bounds, factor: f64) -> Bounds {
-    a.map(|own| own * factor)
 }

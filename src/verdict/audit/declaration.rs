@@ -6,6 +6,7 @@ use dashu_base::Signed;
 
 use crate::algebra::arithmetic::Arithmetic;
 use crate::algebra::error::AlgebraError;
+use crate::algebra::fraction::Fraction;
 use crate::algebra::generator::Generator;
 use crate::algebra::sign::Signs;
 use crate::derivation::condition::Conditions;
@@ -16,136 +17,37 @@ use crate::language::built_in;
 use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::language::mention::Mention;
 use crate::language::syntax::{
-    Comparison, Expression, Name, Place, Relation, Sign, Span, Spanned, Statement, StatementKind,
+    Comparison, Expression, Name, Place, Relation, Replacement, Sign, Span, Spanned, Statement,
+    StatementKind,
 };
 use crate::language::unit::Unit;
 
 use super::reader::Reader;
 use super::{Assumption, Declaration};
 
+/// What a statement says of the symbols that it declares.
+struct Symbols<'a> {
+    names: &'a [Spanned<Name>],
+    unit: Unit,
+    kind: SymbolKind,
+    sign: Option<Sign>,
+    description: &'a Option<String>,
+}
+
 impl Reader<'_> {
     /// Declares what a statement declares; other statements declare nothing.
     pub(super) fn declare(&mut self, statement: &Statement) -> Result<(), Diagnostic> {
         match &statement.kind {
-            StatementKind::Parameter {
-                names,
-                unit,
-                sign,
-                description,
-            } => {
-                let unit = Unit::parse(unit)?;
-                for name in names {
-                    let generator = Generator::Constant {
-                        name: name.value.ascii.clone(),
-                    };
-                    self.symbol(
-                        name,
-                        generator,
-                        &unit,
-                        SymbolKind::Parameter,
-                        *sign,
-                        description,
-                    )?;
-                }
-                self.declarations.extend(sign.map(|sign| Declaration {
-                    names: names.iter().map(|name| name.value.clone()).collect(),
-                    sign,
-                    place: self.here.clone(),
-                }));
-                Ok(())
-            }
-            StatementKind::Complex {
-                names,
-                unit,
-                description,
-            } => {
-                let unit = Unit::parse(unit)?;
-                for name in names {
-                    let ascii = name.value.ascii.clone();
-                    let generator = Generator::Constant { name: ascii };
-                    self.symbol(
-                        name,
-                        generator,
-                        &unit,
-                        SymbolKind::Complex,
-                        None,
-                        description,
-                    )?;
-                }
-                Ok(())
-            }
-            StatementKind::Angle { names, description } => {
-                for name in names {
-                    let generator = Generator::Angle {
-                        name: name.value.ascii.clone(),
-                    };
-                    self.symbol(
-                        name,
-                        generator,
-                        &Unit::one(),
-                        SymbolKind::Angle,
-                        None,
-                        description,
-                    )?;
-                }
-                Ok(())
-            }
-            StatementKind::Coordinate {
-                names,
-                unit,
-                description,
-            } => {
-                let angular = unit.value.trim() == "rad";
-                let unit = Unit::parse(unit)?;
-                let kind = if angular {
-                    SymbolKind::AngularCoordinate
-                } else {
-                    SymbolKind::Coordinate
-                };
-                for name in names {
-                    let ascii = name.value.ascii.clone();
-                    let generator = Generator::Coordinate {
-                        name: ascii,
-                        order: 0,
-                        angular,
-                    };
-                    self.symbol(name, generator, &unit, kind, None, description)?;
-                }
-                Ok(())
-            }
+            StatementKind::Parameter { .. }
+            | StatementKind::Complex { .. }
+            | StatementKind::Angle { .. }
+            | StatementKind::Coordinate { .. } => self.declare_symbols(&statement.kind),
             StatementKind::Imaginary { name } => {
-                let generator = Generator::ImaginaryUnit;
-                self.symbol(
-                    name,
-                    generator,
-                    &Unit::one(),
-                    SymbolKind::Imaginary,
-                    None,
-                    &None,
-                )
+                let names = std::slice::from_ref(name);
+                let one = Symbols::new(names, Unit::one(), SymbolKind::Imaginary, &None);
+                self.symbols(&one, |_| Generator::ImaginaryUnit)
             }
-            StatementKind::Function {
-                names,
-                reference,
-                unit,
-                description,
-            } => {
-                let unit = Unit::parse(unit)?;
-                let argument = self.elaborator.scalar(reference)?;
-                let conditions = std::mem::take(&mut self.elaborator.conditions);
-                for name in names {
-                    let meaning = Meaning::Function {
-                        reference: reference.clone(),
-                        argument: argument.clone(),
-                        conditions: conditions.clone(),
-                        unit: unit.clone(),
-                    };
-                    self.elaborator
-                        .scope
-                        .declare(name, meaning, description.clone())?;
-                }
-                Ok(())
-            }
+            StatementKind::Function { .. } => self.declare_functions(&statement.kind),
             StatementKind::Assume {
                 relation,
                 description,
@@ -164,15 +66,7 @@ impl Reader<'_> {
                 values,
             } => self.define(names, arguments, values),
             StatementKind::Substitution { name, replacements } => {
-                let place = Place::Replacements(replacements.clone());
-                self.elaborator.substitution(&place, &statement.span)?;
-                // What each replacement needs is asked for where it is made.
-                let meaning = Meaning::Substitution {
-                    replacements: replacements.clone(),
-                    conditions: Conditions::default(),
-                    sources: Vec::new(),
-                };
-                self.elaborator.scope.declare(name, meaning, None)
+                self.declare_substitution(name, replacements, &statement.span)
             }
             StatementKind::Import { .. }
             | StatementKind::Assertion { .. }
@@ -185,80 +79,138 @@ impl Reader<'_> {
         }
     }
 
-    fn symbol(
+    /// Declares numbers, real and complex ones, angles and coordinates.
+    fn declare_symbols(&mut self, kind: &StatementKind) -> Result<(), Diagnostic> {
+        let constant = |name| Generator::Constant { name };
+        match kind {
+            StatementKind::Parameter {
+                names,
+                unit,
+                sign,
+                description,
+            } => {
+                let unit = Unit::parse(unit)?;
+                let own = Symbols {
+                    sign: *sign,
+                    ..Symbols::new(names, unit, SymbolKind::Parameter, description)
+                };
+                self.symbols(&own, constant)?;
+                self.declarations.extend(sign.map(|sign| Declaration {
+                    names: names.iter().map(|name| name.value.clone()).collect(),
+                    sign,
+                    place: self.here.clone(),
+                }));
+                Ok(())
+            }
+            StatementKind::Complex {
+                names,
+                unit,
+                description,
+            } => {
+                let unit = Unit::parse(unit)?;
+                let own = Symbols::new(names, unit, SymbolKind::Complex, description);
+                self.symbols(&own, constant)
+            }
+            StatementKind::Angle { names, description } => {
+                let own = Symbols::new(names, Unit::one(), SymbolKind::Angle, description);
+                self.symbols(&own, |name| Generator::Angle { name })
+            }
+            StatementKind::Coordinate {
+                names,
+                unit,
+                description,
+            } => {
+                let angular = unit.value.trim() == "rad";
+                let kind = match angular {
+                    true => SymbolKind::AngularCoordinate,
+                    false => SymbolKind::Coordinate,
+                };
+                let own = Symbols::new(names, Unit::parse(unit)?, kind, description);
+                self.symbols(&own, |name| Generator::Coordinate {
+                    name,
+                    order: 0,
+                    angular,
+                })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Declares functions of one argument.
+    fn declare_functions(&mut self, kind: &StatementKind) -> Result<(), Diagnostic> {
+        let StatementKind::Function {
+            names,
+            reference,
+            unit,
+            description,
+        } = kind
+        else {
+            return Ok(());
+        };
+        let unit = Unit::parse(unit)?;
+        let argument = self.elaborator.scalar(reference)?;
+        let conditions = std::mem::take(&mut self.elaborator.conditions);
+        for name in names {
+            let meaning = Meaning::Function {
+                reference: reference.clone(),
+                argument: argument.clone(),
+                conditions: conditions.clone(),
+                unit: unit.clone(),
+            };
+            let scope = &mut self.elaborator.scope;
+            scope.declare(name, meaning, description.clone())?;
+        }
+        Ok(())
+    }
+
+    fn declare_substitution(
         &mut self,
         name: &Spanned<Name>,
-        generator: Generator,
-        unit: &Unit,
-        kind: SymbolKind,
-        sign: Option<Sign>,
-        description: &Option<String>,
+        replacements: &[Replacement],
+        span: &Span,
     ) -> Result<(), Diagnostic> {
-        let ring = &mut self.elaborator.ring;
-        let symbol = ring
-            .symbol(generator)
-            .map_err(|error| algebra(error, &name.span))?;
-        let signs = match sign {
-            None => Signs::ANY,
-            Some(Sign::Positive) => Signs::POSITIVE,
-            Some(Sign::NonNegative) => Signs::NON_NEGATIVE,
-            Some(Sign::NonZero) => Signs::NON_ZERO,
-            Some(Sign::Negative) => Signs::NEGATIVE,
-            Some(Sign::NonPositive) => Signs::NON_NEGATIVE.opposite(),
+        let place = Place::Replacements(replacements.to_vec());
+        self.elaborator.substitution(&place, span)?;
+        // What each replacement needs is asked for where it is made.
+        let meaning = Meaning::Substitution {
+            replacements: replacements.to_vec(),
+            conditions: Conditions::default(),
+            sources: Vec::new(),
         };
-        ring.assumptions_mut().assume_symbol(symbol, signs);
-        if kind == SymbolKind::Complex {
-            ring.assumptions_mut().assume_complex(symbol);
+        self.elaborator.scope.declare(name, meaning, None)
+    }
+
+    /// Declares symbols of the ring, by what each is there.
+    fn symbols(
+        &mut self,
+        own: &Symbols<'_>,
+        generator: impl Fn(String) -> Generator,
+    ) -> Result<(), Diagnostic> {
+        for name in own.names {
+            let ring = &mut self.elaborator.ring;
+            let symbol = ring.symbol(generator(name.value.ascii.clone()));
+            let symbol = symbol.map_err(|error| algebra(error, &name.span))?;
+            let assumptions = ring.assumptions_mut();
+            assumptions.assume_symbol(symbol, signs(own.sign));
+            if own.kind == SymbolKind::Complex {
+                assumptions.assume_complex(symbol);
+            }
+            let meaning = Meaning::Symbol {
+                symbol,
+                unit: own.unit.clone(),
+                kind: own.kind,
+            };
+            let scope = &mut self.elaborator.scope;
+            scope.declare(name, meaning, own.description.clone())?;
         }
-        let meaning = Meaning::Symbol {
-            symbol,
-            unit: unit.clone(),
-            kind,
-        };
-        self.elaborator
-            .scope
-            .declare(name, meaning, description.clone())
+        Ok(())
     }
 
     fn assume(&mut self, relation: &Relation) -> Result<(), Diagnostic> {
         let span = &(relation.left.span.start..relation.right.span.end);
-        let left = self.elaborator.scalar(&relation.left)?;
-        let right = self.elaborator.scalar(&relation.right)?;
-        common_unit(&left.unit, &right.unit)
-            .map_err(|error| sides(error, &relation.left, &relation.right, span))?;
-        let sides = [&relation.left, &relation.right];
-        for (side, quantity) in sides.into_iter().zip([&left, &right]) {
-            if !self.elaborator.ring.is_real(&quantity.value) {
-                return Err(algebra(AlgebraError::NotReal, &side.span)
-                    .with_label("complex numbers have no order"));
-            }
-        }
-        let signs = match relation.comparison {
-            Comparison::Less => Signs::POSITIVE,
-            Comparison::LessOrEqual => Signs::NON_NEGATIVE,
-            Comparison::Greater => Signs::NEGATIVE,
-            Comparison::GreaterOrEqual => Signs::NON_NEGATIVE.opposite(),
-            Comparison::Equal => {
-                let message = "only inequalities can be assumed";
-                return Err(
-                    Diagnostic::new(DiagnosticKind::Unsupported, span.clone(), message)
-                        .with_label("an equation")
-                        .with_help("define one side by the other with `:=`"),
-                );
-            }
-        };
+        let difference = self.right_less_left(relation, span)?;
+        let signs = assumed(relation.comparison, span)?;
         let ring = &mut self.elaborator.ring;
-        let difference = ring.difference(&right.value, &left.value);
-        let difference = difference.map_err(|error| algebra(error, span))?;
-        let below = ring.polynomial_signs(difference.denominator());
-        let below = below.map_err(|error| algebra(error, span))?;
-        if !below.is_positive() {
-            let message = "an assumption must be an inequality between polynomials";
-            return Err(
-                Diagnostic::new(DiagnosticKind::Unsupported, span.clone(), message)
-                    .with_help("multiply it by its denominator, whose sign must be known"),
-            );
-        }
         let above = difference.numerator().clone();
         let known = ring.polynomial_signs(&above);
         let known = known.map_err(|error| algebra(error, span))?;
@@ -283,6 +235,36 @@ impl Reader<'_> {
         }
         assumptions.assume_polynomial(above, signs);
         Ok(())
+    }
+
+    /// The right side less the left, which must be real numbers of one unit, over a positive denominator.
+    fn right_less_left(
+        &mut self,
+        relation: &Relation,
+        span: &Span,
+    ) -> Result<Fraction, Diagnostic> {
+        let left = self.elaborator.scalar(&relation.left)?;
+        let right = self.elaborator.scalar(&relation.right)?;
+        common_unit(&left.unit, &right.unit)
+            .map_err(|error| sides(error, &relation.left, &relation.right, span))?;
+        let ring = &self.elaborator.ring;
+        for (side, quantity) in [(&relation.left, &left), (&relation.right, &right)] {
+            if !ring.is_real(&quantity.value) {
+                return Err(algebra(AlgebraError::NotReal, &side.span)
+                    .with_label("complex numbers have no order"));
+            }
+        }
+        let difference = ring.difference(&right.value, &left.value);
+        let difference = difference.map_err(|error| algebra(error, span))?;
+        let below = ring.polynomial_signs(difference.denominator());
+        match below.map_err(|error| algebra(error, span))?.is_positive() {
+            true => Ok(difference),
+            false => {
+                let message = "an assumption must be an inequality between polynomials";
+                Err(unsupported(span, message)
+                    .with_help("multiply it by its denominator, whose sign must be known"))
+            }
+        }
     }
 
     fn define(
@@ -377,6 +359,53 @@ impl Reader<'_> {
         }
         Ok(())
     }
+}
+
+impl<'a> Symbols<'a> {
+    /// Symbols of which no sign is known.
+    fn new(
+        names: &'a [Spanned<Name>],
+        unit: Unit,
+        kind: SymbolKind,
+        description: &'a Option<String>,
+    ) -> Self {
+        Symbols {
+            names,
+            unit,
+            kind,
+            sign: None,
+            description,
+        }
+    }
+}
+
+/// The signs that a number with a declared one may have.
+fn signs(sign: Option<Sign>) -> Signs {
+    match sign {
+        None => Signs::ANY,
+        Some(Sign::Positive) => Signs::POSITIVE,
+        Some(Sign::NonNegative) => Signs::NON_NEGATIVE,
+        Some(Sign::NonZero) => Signs::NON_ZERO,
+        Some(Sign::Negative) => Signs::NEGATIVE,
+        Some(Sign::NonPositive) => Signs::NON_NEGATIVE.opposite(),
+    }
+}
+
+/// The signs that an assumption gives the right side less the left.
+fn assumed(comparison: Comparison, span: &Span) -> Result<Signs, Diagnostic> {
+    match comparison {
+        Comparison::Less => Ok(Signs::POSITIVE),
+        Comparison::LessOrEqual => Ok(Signs::NON_NEGATIVE),
+        Comparison::Greater => Ok(Signs::NEGATIVE),
+        Comparison::GreaterOrEqual => Ok(Signs::NON_NEGATIVE.opposite()),
+        Comparison::Equal => Err(unsupported(span, "only inequalities can be assumed")
+            .with_label("an equation")
+            .with_help("define one side by the other with `:=`")),
+    }
+}
+
+fn unsupported(span: &Span, message: &str) -> Diagnostic {
+    Diagnostic::new(DiagnosticKind::Unsupported, span.clone(), message)
 }
 
 /// An assumption that cannot be true beside what is declared and assumed above it.
