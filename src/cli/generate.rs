@@ -1,6 +1,7 @@
 //! `sextic generate`: what a document derives, as source text.
 
 use std::ffi::OsStr;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::builder::TypedValueParser;
@@ -11,8 +12,8 @@ use sextic_codegen::language::{File, Language};
 
 use crate::compile::fixed::{Fixed, Unfixed};
 use crate::compile::generation::{Failure, Generated, Order, POINTS, generate};
-use crate::compile::proof::prove_files;
-use crate::compile::specification::Refusal;
+use crate::compile::proof::{Proof, prove_files};
+use crate::compile::specification::{Refusal, Specification};
 use crate::language::diagnostic::{nearest, render};
 use crate::report::text;
 use crate::verdict::audit::Audit;
@@ -173,7 +174,9 @@ pub fn run(arguments: &Arguments) -> Outcome {
     progress.finish_and_clear();
     match generated {
         Err(failure) => refuse(&failure, &audits, arguments),
-        Ok(generated) if arguments.check => check(&generated, arguments),
+        Ok(generated) if arguments.check => {
+            check(&generated, arguments).unwrap_or_else(|outcome| outcome)
+        }
         Ok(generated) => write(&generated, arguments),
     }
 }
@@ -224,84 +227,105 @@ fn summary(written: &Written, out: &Path) -> String {
     summary
 }
 
+/// Files as they stand on the disk, beside those that would be written.
+#[derive(Default)]
+struct Standing<'g> {
+    /// Those that are there.
+    found: Vec<File>,
+    /// What differs, in words.
+    differences: Vec<String>,
+    /// What evaluators share and is not as it would be written.
+    changed_support: Vec<&'g str>,
+}
+
+impl<'g> Standing<'g> {
+    fn of(generated: &'g Generated, out: &Path) -> Result<Self, Outcome> {
+        let mut standing = Standing::default();
+        for file in &generated.files {
+            let path = out.join(&file.path);
+            match folder::state(&path, &file.text).map_err(|error| unreadable(&path, &error))? {
+                State::Same => {
+                    standing.found.push(file.clone());
+                    continue;
+                }
+                State::Different(text) => {
+                    let difference = text::difference(&file.path, &text, &file.text);
+                    standing.differences.push(difference);
+                    let path = file.path.clone();
+                    standing.found.push(File { path, text });
+                }
+                State::Missing => {
+                    let missing = format!("{} is missing\n", file.path);
+                    standing.differences.push(missing);
+                }
+            }
+            if generated.is_shared(file) {
+                standing.changed_support.push(&file.path);
+            }
+        }
+        Ok(standing)
+    }
+
+    /// Why an evaluator is not proven by what stands there.
+    fn doubt(&self, specification: &Specification, language: Language) -> Result<Proof, String> {
+        let proof = prove_files(&self.found, specification, language);
+        let proof = proof.map_err(|doubt| doubt.to_string())?;
+        match self.changed_support.is_empty() {
+            true => Ok(proof),
+            false => Err(format!(
+                "it rests on {}, see below",
+                self.changed_support.join(", ")
+            )),
+        }
+    }
+}
+
+fn unreadable(path: &Path, error: &io::Error) -> Outcome {
+    wrong(
+        &format!("`{}` cannot be read: {error}", path.display()),
+        "name the folder of the files with `--out`",
+    )
+}
+
 /// Proves the files as they stand on the disk, and compares them with what would be written.
 ///
 /// What the evaluators share is not derived, and not proven: it has to be what would be written.
-fn check(generated: &Generated, arguments: &Arguments) -> Outcome {
-    let (mut found, mut lines): (Vec<File>, Vec<String>) = (Vec::new(), Vec::new());
-    let mut changed_support: Vec<&str> = Vec::new();
-    for file in &generated.files {
-        let path = arguments.out.join(&file.path);
-        match folder::state(&path, &file.text) {
-            Err(error) => {
-                return wrong(
-                    &format!("`{}` cannot be read: {error}", path.display()),
-                    "name the folder of the files with `--out`",
-                );
-            }
-            Ok(State::Same) => {
-                found.push(file.clone());
-                continue;
-            }
-            Ok(State::Different(text)) => {
-                lines.push(text::difference(&file.path, &text, &file.text));
-                found.push(File {
-                    path: file.path.clone(),
-                    text,
-                });
-            }
-            Ok(State::Missing) => lines.push(format!("{} is missing\n", file.path)),
-        }
-        if generated.is_shared(file) {
-            changed_support.push(&file.path);
-        }
-    }
-    let is_same = lines.is_empty();
+fn check(generated: &Generated, arguments: &Arguments) -> Result<Outcome, Outcome> {
+    let standing = Standing::of(generated, &arguments.out)?;
     let mut report = String::new();
-    let mut are_proven = true;
+    let mut is_good = standing.differences.is_empty();
     for specification in &generated.specifications {
         let name = &specification.evaluator.name;
-        let doubt = match prove_files(&found, specification, arguments.language) {
-            Ok(proof) if changed_support.is_empty() => {
-                report.push_str(&format!("{name}: proven. {proof}\n"));
-                continue;
+        match standing.doubt(specification, arguments.language) {
+            Ok(proof) => report += &format!("{name}: proven. {proof}\n"),
+            Err(doubt) => {
+                is_good = false;
+                report += &format!("{name}: NOT proven: {doubt}\n");
             }
-            Ok(_) => format!("it rests on {}, see below", changed_support.join(", ")),
-            Err(doubt) => doubt.to_string(),
-        };
-        are_proven = false;
-        report.push_str(&format!("{name}: NOT proven: {doubt}\n"));
-    }
-    lines.iter().for_each(|line| report.push_str(line));
-    let others = match folder::others(&arguments.out, &generated.files) {
-        Ok(others) => others,
-        Err(error) => {
-            return wrong(
-                &format!("`{}` cannot be read: {error}", arguments.out.display()),
-                "name the folder of the files with `--out`",
-            );
         }
-    };
-    let is_alone = others.stale.is_empty() && others.namesakes.is_empty();
+    }
+    report += &standing.differences.concat();
+    let others = folder::others(&arguments.out, &generated.files)
+        .map_err(|error| unreadable(&arguments.out, &error))?;
+    is_good &= others.stale.is_empty() && others.namesakes.is_empty();
     for name in others.stale {
-        report.push_str(&format!(
-            "{name} was generated, but this command does not write it\n"
-        ));
+        report += &format!("{name} was generated, but this command does not write it\n");
     }
     for name in others.namesakes {
-        report.push_str(&format!(
-            "{name} may be taken for a file of this command by a compiler or Python\n"
-        ));
+        report +=
+            &format!("{name} may be taken for a file of this command by a compiler or Python\n");
     }
-    let outcome = match is_same && are_proven && is_alone {
-        true => Outcome::AsExpected,
-        false => Outcome::Differs,
+    let (outcome, ending) = match is_good {
+        true => (
+            Outcome::AsExpected,
+            "All files are as this command writes them.\n",
+        ),
+        false => (
+            Outcome::Differs,
+            "The same command without `--check` writes its files anew.\n",
+        ),
     };
-    report.push_str(match outcome {
-        Outcome::AsExpected => "All files are as this command writes them.\n",
-        _ => "The same command without `--check` writes its files anew.\n",
-    });
-    finish(&report, outcome)
+    Ok(finish(&(report + ending), outcome))
 }
 
 /// Says why nothing was generated.

@@ -124,77 +124,61 @@ Exit status:
 pub fn run(arguments: &Arguments) -> Outcome {
     let input = arguments.input.as_deref();
     match is_document(input, &arguments.which) {
-        true => of_system(arguments),
+        true => of_system(arguments).unwrap_or_else(|outcome| outcome),
         false => of_case(arguments, input.unwrap_or(Path::new(""))),
     }
 }
 
 /// A system of a document at all points.
-fn of_system(arguments: &Arguments) -> Outcome {
-    let document = arguments.input.as_ref().map(|path| path.to_string_lossy());
+fn of_system(arguments: &Arguments) -> Result<Outcome, Outcome> {
     if arguments.worst {
-        return wrong(
+        return Err(wrong(
             "a system has no angles to choose the worst from",
             "leave `--worst` away: it is for cases",
-        );
+        ));
     }
-    let points: Option<u64> = arguments
+    let counts = arguments.vary.iter().map(|own| own.count as u64);
+    let points = counts.fold(1_u64, u64::saturating_mul);
+    if points > MOST_POINTS {
+        let what = format!("the sweep has more than {MOST_POINTS} points");
+        return Err(wrong(&what, "give fewer values"));
+    }
+    let names: Vec<String> = arguments
         .vary
         .iter()
-        .try_fold(1_u64, |points, own| points.checked_mul(own.count as u64));
-    if points.is_none_or(|points| points > MOST_POINTS) {
-        let what = format!("the sweep has more than {MOST_POINTS} points");
-        return wrong(&what, "give fewer values");
-    }
-    let found = || {
-        let moving: Vec<String> = arguments
-            .vary
-            .iter()
-            .map(|own| Name::new(&own.name).ascii)
-            .collect();
-        let moving: Vec<&str> = moving.iter().map(String::as_str).collect();
-        let values = numbers(&arguments.set, &moving)?;
-        let ends = [true, false].map(|is_first| {
-            let mut all = arguments.set.clone();
-            for (own, name) in arguments.vary.iter().zip(&moving) {
-                let end = if is_first { own.from } else { own.to };
-                all.extend(
-                    Rational::try_from(end)
-                        .map(|end| with(&[], name, &end))
-                        .unwrap_or_default(),
-                );
-            }
-            all
-        });
-        let chosen = arguments
-            .which
-            .choose(document.as_deref(), &[&ends[0], &ends[1]])?;
-        Ok((values, chosen))
-    };
-    let (values, chosen) = match found() {
-        Ok(found) => found,
-        Err(outcome) => return outcome,
-    };
-    let axes = arguments.vary.iter().map(|own| {
-        let name = Name::new(&own.name).ascii;
-        let values = spaced(&name, own.from, own.to, own.count)?;
+        .map(|own| Name::new(&own.name).ascii)
+        .collect();
+    let moving: Vec<&str> = names.iter().map(String::as_str).collect();
+    let values = numbers(&arguments.set, &moving)?;
+    let [first, last] = [true, false].map(|is_first| end(arguments, &moving, is_first));
+    let document = arguments.input.as_ref().map(|path| path.to_string_lossy());
+    let chosen = arguments
+        .which
+        .choose(document.as_deref(), &[&first, &last])?;
+    let axes = arguments.vary.iter().zip(&names).map(|(own, name)| {
+        let values = spaced(name, own.from, own.to, own.count)?;
+        let name = name.clone();
         Ok(SweepAxis { name, values })
     });
-    let axes: Vec<SweepAxis> = match axes.collect::<Result<_, String>>() {
-        Ok(axes) => axes,
-        Err(message) => return wrong(&message, FORM),
-    };
-    let sweep = match chosen.system.sweep(&values, axes) {
-        Ok(sweep) => sweep,
-        Err(error) => return super::system::refuse(&error),
-    };
+    let axes: Result<Vec<SweepAxis>, String> = axes.collect();
+    let axes = axes.map_err(|message| wrong(&message, FORM))?;
+    let sweep = chosen.system.sweep(&values, axes);
+    let sweep = sweep.map_err(|error| super::system::refuse(&error))?;
     let evaluator = &chosen.system.evaluator;
     let texts = [&*evaluator.hash, &*evaluator.name, &format!("{values:?}")];
-    written(
-        &sweep,
-        arguments.out.as_deref(),
-        &identity(arguments, &texts),
-    )
+    let identity = identity(arguments, &texts);
+    Ok(written(&sweep, arguments.out.as_deref(), &identity))
+}
+
+/// The numbers at the first or last values of all that is varied.
+fn end(arguments: &Arguments, moving: &[&str], is_first: bool) -> Vec<Fixed> {
+    let mut all = arguments.set.clone();
+    for (own, name) in arguments.vary.iter().zip(moving) {
+        let end = if is_first { own.from } else { own.to };
+        let end = Rational::try_from(end).map(|end| with(&[], name, &end));
+        all.extend(end.unwrap_or_default());
+    }
+    all
 }
 
 /// A case and its table at all points.

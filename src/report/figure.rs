@@ -8,6 +8,7 @@ mod stroke;
 mod subscript;
 
 use std::error::Error;
+use std::ops::Range;
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -68,6 +69,7 @@ const FONT: &str = "sans-serif";
 const SHADE: RGBColor = RGBColor(222, 222, 222);
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Axis, Axis>>;
 
 impl Figure {
     /// The figure as SVG.
@@ -82,24 +84,7 @@ impl Figure {
     fn draw(&self, area: &Area<'_>) -> Result<(), Box<dyn Error>> {
         let (head, below) = area.split_vertically(px(HEAD));
         self.draw_head(&head)?;
-        let points = || {
-            let curves = self.curves.iter().flat_map(|curve| &curve.pieces);
-            curves.flatten().chain(self.corners.iter().flatten())
-        };
-        let x = extent(points().map(|point| point.0));
-        // What is shaded ends at 0.
-        let zero = self.shaded.iter().map(|_| 0.0);
-        let y = extent(points().map(|point| point.1).chain(zero));
-        let y = match self.corners {
-            None => with_margin(y),
-            Some(_) => y,
-        };
-        let (x, y) = if self.is_to_scale {
-            let room = [WIDTH - LEFT - RIGHT, HEIGHT - HEAD - BOTTOM];
-            to_scale(x, y, room.map(f64::from))
-        } else {
-            (x, y)
-        };
+        let [x, y] = self.ranges();
         let mut chart = ChartBuilder::on(&below)
             .margin_right(px(RIGHT))
             .margin_left(px(8))
@@ -120,6 +105,42 @@ impl Figure {
                 patch.fill.draw(area, &corners.collect::<Vec<_>>())?;
             }
         }
+        self.draw_mesh(&mut chart)?;
+        if self.shaded.is_some() {
+            let zero = [(x.start, 0.0), (x.end, 0.0)];
+            chart.draw_series([PathElement::new(zero, ink(BLACK, 1))])?;
+        }
+        for curve in &self.curves {
+            for piece in &curve.pieces {
+                let points = piece.iter().map(|point| chart.backend_coord(point));
+                curve.stroke.draw(area, &points.collect::<Vec<_>>())?;
+            }
+        }
+        Ok(())
+    }
+
+    /// What x and y go over.
+    fn ranges(&self) -> [Range<f64>; 2] {
+        let points = || {
+            let curves = self.curves.iter().flat_map(|curve| &curve.pieces);
+            curves.flatten().chain(self.corners.iter().flatten())
+        };
+        let x = extent(points().map(|point| point.0));
+        // What is shaded ends at 0.
+        let zero = self.shaded.iter().map(|_| 0.0);
+        let y = extent(points().map(|point| point.1).chain(zero));
+        let y = match self.corners {
+            None => with_margin(y),
+            Some(_) => y,
+        };
+        if !self.is_to_scale {
+            return [x, y];
+        }
+        let room = [WIDTH - LEFT - RIGHT, HEIGHT - HEAD - BOTTOM];
+        to_scale(x, y, room.map(f64::from)).into()
+    }
+
+    fn draw_mesh(&self, chart: &mut Chart<'_, '_>) -> Result<(), Box<dyn Error>> {
         chart
             .configure_mesh()
             .x_desc(&self.x_label)
@@ -133,19 +154,6 @@ impl Figure {
             .bold_line_style(BLACK.mix(0.12).stroke_width(px(1) as u32))
             .light_line_style(TRANSPARENT)
             .draw()?;
-        if self.shaded.is_some() {
-            let zero = [(x.start, 0.0), (x.end, 0.0)];
-            chart.draw_series([PathElement::new(zero, ink(BLACK, 1))])?;
-        }
-        for curve in &self.curves {
-            for piece in &curve.pieces {
-                let drawn: Vec<_> = piece
-                    .iter()
-                    .map(|point| chart.backend_coord(point))
-                    .collect();
-                curve.stroke.draw(area, &drawn)?;
-            }
-        }
         Ok(())
     }
 

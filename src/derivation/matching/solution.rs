@@ -4,7 +4,7 @@ use crate::algebra::arithmetic::{Arithmetic, Division};
 use crate::algebra::error::AlgebraError;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::generator::Generator;
-use crate::algebra::linear_system::solve;
+use crate::algebra::linear_system::{Solution, solve};
 use crate::algebra::matrix::Matrix;
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::ring::Ring;
@@ -37,23 +37,34 @@ impl Elaborator {
         count: usize,
     ) -> Result<(Vec<Fraction>, Fraction), Diagnostic> {
         let span = &of_powers(matching);
-        let wrap = |error| algebra(error, span);
-        let singular = |message: String| {
-            Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
-                .with_label("these equations do not determine the unknowns")
-                .with_help("use other powers behind `at`")
-        };
         if equations.rows.len() < count {
             let given = equations.rows.len();
             let s = if given == 1 { "" } else { "s" };
-            return Err(
-                singular(format!("{given} equation{s} for {count} unknowns"))
-                    .with_help("name at least as many powers behind `at` as there are unknowns"),
-            );
+            let message = format!("{given} equation{s} for {count} unknowns");
+            return Err(singular(message, span)
+                .with_help("name at least as many powers behind `at` as there are unknowns"));
         }
-        let matrix = Matrix::from_fn(count, count, |row, column| {
-            equations.rows[row][column].clone()
-        });
+        let Some(solved) = self.solution_of(equations, count, span)? else {
+            let message = "the matching is singular: its determinant is identically 0";
+            return Err(singular(message.to_string(), span));
+        };
+        let quotient = |numerator| self.ring.quotient(numerator, &solved.determinant);
+        let solution = solved.numerators.entries().iter().map(quotient);
+        let solution: Result<Vec<Fraction>, _> = solution.collect();
+        let solution = solution.map_err(|error| algebra(error, span))?;
+        self.require_satisfied(matching, equations, &solution)?;
+        Ok((solution, solved.determinant))
+    }
+
+    /// The solution of the first equations; nothing if their determinant is 0.
+    fn solution_of(
+        &mut self,
+        equations: &Equations,
+        count: usize,
+        span: &Span,
+    ) -> Result<Option<Solution<Fraction>>, Diagnostic> {
+        let entry = |row: usize, column: usize| equations.rows[row][column].clone();
+        let matrix = Matrix::from_fn(count, count, entry);
         let is_zero = |row: usize, column: usize| equations.rows[row][column].is_zero();
         let few = check_minors_of((count, count), is_zero, count + 1, span).is_ok();
         let right = Matrix::from_fn(count, 1, |row, _| equations.right[row].clone());
@@ -61,46 +72,37 @@ impl Elaborator {
             true => solve(&matrix, &right, &self.ring),
             false => self.ring.eliminated_solution(&matrix, &right),
         };
-        let solved = match solved {
-            Err(AlgebraError::DivisionByZero) => None,
-            solved => Some(solved.map_err(wrap)?),
-        };
-        let Some(solved) = solved.filter(|solved| !solved.determinant.is_zero()) else {
-            return Err(singular(
-                "the matching is singular: its determinant is identically 0".into(),
-            ));
-        };
-        let solution: Result<Vec<Fraction>, _> = solved
-            .numerators
-            .entries()
-            .iter()
-            .map(|numerator| self.ring.quotient(numerator, &solved.determinant))
-            .collect();
-        let solution = solution.map_err(wrap)?;
-        for ((row, right), power) in equations
-            .rows
-            .iter()
-            .zip(&equations.right)
-            .zip(&matching.powers)
-            .skip(count)
-        {
+        match solved {
+            Err(AlgebraError::DivisionByZero) => Ok(None),
+            Err(error) => Err(algebra(error, span)),
+            Ok(solved) => Ok(Some(solved).filter(|solved| !solved.determinant.is_zero())),
+        }
+    }
+
+    /// Sees that the equations beyond the first are satisfied, too.
+    fn require_satisfied(
+        &self,
+        matching: &Matching,
+        equations: &Equations,
+        solution: &[Fraction],
+    ) -> Result<(), Diagnostic> {
+        let wrap = |error| algebra(error, &of_powers(matching));
+        let all = equations.rows.iter().zip(&equations.right);
+        for ((row, right), power) in all.zip(&matching.powers).skip(solution.len()) {
             let mut left = self.ring.zero();
-            for (slope, value) in row.iter().zip(&solution) {
+            for (slope, value) in row.iter().zip(solution) {
                 let term = self.ring.product(slope, value).map_err(wrap)?;
                 left = self.ring.sum(&left, &term).map_err(wrap)?;
             }
             if !self.ring.difference(&left, right).map_err(wrap)?.is_zero() {
                 let message = "this coefficient contradicts the ones before it";
-                return Err(Diagnostic::new(
-                    DiagnosticKind::Inconsistent,
-                    power.span.clone(),
-                    message,
-                )
-                .with_label("not satisfied by the solution of the others")
-                .with_help("use as many powers as there are unknowns"));
+                let kind = DiagnosticKind::Inconsistent;
+                return Err(Diagnostic::new(kind, power.span.clone(), message)
+                    .with_label("not satisfied by the solution of the others")
+                    .with_help("use as many powers as there are unknowns"));
             }
         }
-        Ok((solution, solved.determinant))
+        Ok(())
     }
 
     /// The factors of a determinant that may vanish.
@@ -242,4 +244,10 @@ fn total_degree(polynomial: &Polynomial) -> u32 {
         .iter()
         .map(|(monomial, _)| monomial.degree());
     degrees.max().unwrap_or(0)
+}
+
+fn singular(message: String, span: &Span) -> Diagnostic {
+    Diagnostic::new(DiagnosticKind::Singular, span.clone(), message)
+        .with_label("these equations do not determine the unknowns")
+        .with_help("use other powers behind `at`")
 }

@@ -32,83 +32,19 @@ impl Repetition {
     /// What made the page, and each part of it.
     pub fn new(request: &Request) -> Self {
         let document = argument("", request.document);
-        let mut commands = vec![
-            (
-                format!("sextic audit{document}"),
-                "every verdict with its conditions, neglected terms and counterexamples",
-            ),
-            (
-                format!("sextic audit{document} --explain ID"),
-                "the steps behind one verdict; the ID stands below it",
-            ),
-        ];
-        if request
-            .audits
-            .iter()
-            .any(|audit| !audit.matchings.is_empty())
-        {
-            commands.push((
-                format!("sextic match{document}"),
-                "the matching, power by power",
-            ));
-        }
         let set = request.case.map_or(String::new(), settings);
-        let mut files = Vec::new();
-        for source in request.audits.iter().flat_map(|audit| &audit.sources) {
-            // Documents import each other.
-            if !files
-                .iter()
-                .any(|known: &FileView| known.path == source.path)
-            {
-                files.push(file(source, "document"));
-            }
-        }
-        if let Some(CaseFiles {
-            files: [case_file, table],
-            validity,
-            ..
-        }) = request.case
-        {
-            let case = argument("", Some(&case_file.path));
-            commands.extend([
-                (
-                    format!("sextic stability{case}{set}"),
-                    "the unstable ranges and how the methods agree",
-                ),
-                (
-                    format!("sextic stability{case}{set} --plot curves.svg"),
-                    "the curves",
-                ),
-                (
-                    format!("sextic stability{case}{set} --format json"),
-                    "every angle with every method and the bounds of all errors",
-                ),
-                (
-                    format!("sextic speeds{case}{set} --plot speeds.svg"),
-                    "the critical wind speeds",
-                ),
-            ]);
-            if validity.is_ok() {
-                commands.push((
-                    format!("sextic validity{case}{set} --plot validity.svg"),
-                    "the errors of the closed forms, and their maps",
-                ));
-            }
-            files.push(file(case_file, "case"));
-            files.push(file(table, "table of coefficients"));
-        }
+        let mut commands = of_documents(request, &document);
+        commands.extend(request.case.iter().flat_map(|case| of_case(case, &set)));
         let case = request.case.map(|case| case.files[0].path.as_str());
         let case = argument(" --case", case);
         commands.push((
             format!("sextic report{document}{case}{set} --out report.html"),
             "this page",
         ));
-        let commands = commands.into_iter();
+        let view = |(command, gives)| CommandView { command, gives };
         Repetition {
-            commands: commands
-                .map(|(command, gives)| CommandView { command, gives })
-                .collect(),
-            files,
+            commands: commands.into_iter().map(view).collect(),
+            files: files(request),
         }
     }
 }
@@ -156,4 +92,76 @@ mod tests {
         assert_eq!(quoted("my case's.toml"), r"'my case'\''s.toml'");
         assert_eq!(argument(" --case", None), "");
     }
+}
+
+/// A command and what it gives.
+type Command = (String, &'static str);
+
+fn of_documents(request: &Request, document: &str) -> Vec<Command> {
+    let mut commands = vec![
+        (
+            format!("sextic audit{document}"),
+            "every verdict with its conditions, neglected terms and counterexamples",
+        ),
+        (
+            format!("sextic audit{document} --explain ID"),
+            "the steps behind one verdict; the ID stands below it",
+        ),
+    ];
+    let mut audits = request.audits.iter();
+    if audits.any(|audit| !audit.matchings.is_empty()) {
+        commands.push((
+            format!("sextic match{document}"),
+            "the matching, power by power",
+        ));
+    }
+    commands
+}
+
+fn of_case(case: &CaseFiles, set: &str) -> Vec<Command> {
+    let path = argument("", Some(&case.files[0].path));
+    let mut commands = vec![
+        (
+            format!("sextic stability{path}{set}"),
+            "the unstable ranges and how the methods agree",
+        ),
+        (
+            format!("sextic stability{path}{set} --plot curves.svg"),
+            "the curves",
+        ),
+        (
+            format!("sextic stability{path}{set} --format json"),
+            "every angle with every method and the bounds of all errors",
+        ),
+        (
+            format!("sextic speeds{path}{set} --plot speeds.svg"),
+            "the critical wind speeds",
+        ),
+    ];
+    if case.validity.is_ok() {
+        commands.push((
+            format!("sextic validity{path}{set} --plot validity.svg"),
+            "the errors of the closed forms, and their maps",
+        ));
+    }
+    commands
+}
+
+/// The documents, each once though they import each other, the case and its table.
+fn files(request: &Request) -> Vec<FileView> {
+    let mut files: Vec<FileView> = Vec::new();
+    for source in request.audits.iter().flat_map(|audit| &audit.sources) {
+        if !files.iter().any(|known| known.path == source.path) {
+            files.push(file(source, "document"));
+        }
+    }
+    if let Some(CaseFiles {
+        files: [case, table],
+        ..
+    }) = request.case
+    {
+        files.push(file(case, "case"));
+        files.push(file(table, "table of coefficients"));
+    }
+    files
 }
