@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::blank;
 use super::cursor::Cursor;
 use super::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
+use super::foreign::cured;
 use super::hidden;
 use super::intent::{Intent, Unread};
 use super::keyword::is_keyword;
@@ -107,7 +108,7 @@ pub fn read_document(source: &SourceFile, imported: &Aliases) -> Result<Document
                 Ok(statement) => statements.push(statement),
                 Err(diagnostic) => unread.push(Unread {
                     span: span_of(tokens),
-                    diagnostic,
+                    diagnostic: cured(diagnostic, text),
                     intent: Intent::of_tokens(text, tokens, &aliases),
                 }),
             }

@@ -14,6 +14,7 @@ pub mod document;
 pub mod evaluator;
 mod expression;
 pub mod expression_parser;
+pub(crate) mod foreign;
 mod hidden;
 pub mod intent;
 mod keyword;

@@ -123,6 +123,10 @@ impl Cursor<'_> {
         self.expect_colon("write `:` behind the label: `claim (1): a == b`")?;
         let relation = self.relation("`==`, `<`, `<=`, `>` or `>=`")?;
         let order = self.order()?;
+        if expectation == Expectation::Approximate && order.is_none() {
+            let help = "say which terms are kept: `to order 1 in x`";
+            return Err(self.expected("`to order`").with_help(help));
+        }
         let description = self.description()?;
         let what = match (&order, &description) {
             (_, Some(_)) => "",

@@ -113,7 +113,10 @@ impl Elaborator {
             return Err(
                 Diagnostic::new(DiagnosticKind::Arguments, span.clone(), message)
                     .with_label("a prime asks for the derivative of a function")
-                    .with_help(format!("declare it with `function {name} at … : …`")),
+                    .with_help(format!(
+                        "declare it with `function {name} at … : …`; a derivative by time is `dt({name})`, by \
+                         another name `d({name}, x)`"
+                    )),
             );
         };
         let unit = unit.clone();

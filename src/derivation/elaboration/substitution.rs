@@ -211,7 +211,7 @@ impl Elaborator {
     /// Sees that no assumption is certain to be broken.
     fn admit_images(&mut self, images: &Substitution, span: &Span) -> Result<(), Diagnostic> {
         let is_possible = |found: Signs, assumed: Signs| found.intersection(assumed) != Signs::NONE;
-        let Some(assumption) = self.broken_assumption(images, is_possible, span)? else {
+        let Some([assumption, _]) = self.broken_assumption(images, is_possible, span)? else {
             return Ok(());
         };
         let message = format!("this contradicts the assumption {assumption}");
@@ -287,25 +287,28 @@ impl Elaborator {
         place: &Span,
     ) -> Result<(), Diagnostic> {
         let follows = |found: Signs, assumed: Signs| found.is_within(wanted(assumed));
-        let Some(assumption) = self.broken_assumption(substitution, follows, place)? else {
+        let Some([assumption, wanted]) = self.broken_assumption(substitution, follows, place)?
+        else {
             return Ok(());
         };
         let message = format!("this need not respect the assumption {assumption}");
         Err(
             Diagnostic::new(DiagnosticKind::Arguments, place.clone(), message)
                 .with_label("what was found by the assumption may not hold here")
-                .with_help("replace it by something whose sign follows from the declarations"),
+                .with_help(format!(
+                    "declare the signs from which {wanted} follows, or assume it"
+                )),
         )
     }
 
     /// The first assumption whose signs are not accepted after a substitution, given those that are
-    /// found then and those that are assumed.
+    /// found then and those that are assumed; and what would have to be known.
     fn broken_assumption(
         &mut self,
         substitution: &Substitution,
         accepts: impl Fn(Signs, Signs) -> bool,
         span: &Span,
-    ) -> Result<Option<String>, Diagnostic> {
+    ) -> Result<Option<[String; 2]>, Diagnostic> {
         let wrap = |error| algebra(error, span);
         let assumed: Vec<(Polynomial, Signs)> = {
             let assumptions = self.ring.assumptions();
@@ -325,7 +328,10 @@ impl Elaborator {
             }
             let found = self.ring.signs(&image).map_err(wrap)?;
             if !accepts(found, signs) {
-                return self.assumption(&polynomial, signs).map(Some).map_err(wrap);
+                let assumption = self.assumption(&polynomial, signs).map_err(wrap)?;
+                let shown = self.presenter().element(&image).map_err(wrap)?;
+                let shown = Notation::Unicode.expression(&shown);
+                return Ok(Some([assumption, format!("{shown} {signs}")]));
             }
         }
         Ok(None)

@@ -140,9 +140,7 @@ impl Cursor<'_> {
             {
                 "a subscript is written behind `_`: `x_1`"
             }
-            "≟" | "≡" | "≅" | "∼" | "≃" => {
-                "equality is written `==`, in an approximation also `≈`"
-            }
+            "≟" | "≡" => "equality is written `==`, in an approximation also `≈`",
             _ => {
                 "outside of strings and comments there are letters, digits and + - * / ^ ( ) [ ] | √ ' , ; : = < >"
             }

@@ -15,6 +15,7 @@ use crate::derivation::scope::Meaning;
 use crate::derivation::shown::Shown;
 use crate::language::diagnostic::{Diagnostic, DiagnosticKind, SourceFile};
 use crate::language::evaluator::Evaluator;
+use crate::language::foreign::cured;
 use crate::language::intent::{Intent, Unread};
 use crate::language::line_end::unified;
 use crate::language::name::Aliases;
@@ -191,7 +192,10 @@ impl<'a> Reader<'a> {
             }
             match self.missing_assumption(statement, diagnostic.kind) {
                 Some(reason) => self.pass_over(statement, &reason, read),
-                None => self.refuse(diagnostic, &Intent::of(statement)),
+                None => self.refuse(
+                    cured(diagnostic, &unified(&source.text)),
+                    &Intent::of(statement),
+                ),
             }
         }
     }
