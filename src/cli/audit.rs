@@ -1,5 +1,8 @@
 //! `sextic audit`: the verdicts on documents.
 
+use std::collections::BTreeMap;
+use std::time::{Duration, SystemTime};
+
 use clap::Args;
 
 use crate::derivation::matching::Matched;
@@ -8,8 +11,11 @@ use crate::verdict::audit::Audit;
 use crate::verdict::claim::Claim;
 
 use super::Outcome;
-use super::output::{Format, finish, width, wrong};
-use super::source::{Audited, audit_all};
+use super::output::{Format, finish, stream, unwritten, width, wrong};
+use super::source::{Audited, audit_again, audit_all};
+
+/// How often documents that are watched are looked at.
+const LOOK: Duration = Duration::from_millis(100);
 
 /// How many identifiers are suggested for a misspelt one.
 const SUGGESTIONS: usize = 3;
@@ -37,6 +43,11 @@ pub struct Arguments {
     #[arg(long, value_name = "ID")]
     explain: Option<String>,
 
+    /// Judge documents again whenever they change, until the command is interrupted; one that did not change, and
+    /// imports none that did, is not judged again
+    #[arg(long, conflicts_with = "explain")]
+    watch: bool,
+
     /// How many columns text may fill (at least 40); as many as the terminal has if not given
     #[arg(long, value_name = "COLUMNS", value_parser = clap::value_parser!(u16).range(40..))]
     width: Option<u16>,
@@ -46,31 +57,81 @@ const EXAMPLES: &str = "\
 Examples:
   sextic audit                          the documents that come with the command
   sextic audit paper.md                 a document of your own
+  sextic audit paper.md --watch         the same whenever it is saved
   sextic audit --explain 12             how the verdict on equation (12) was reached
   sextic audit --format json | jq '.documents[].claims[] | select(.verdict == \"refuted\") | .id'";
 
 /// Audits documents and writes the verdicts.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let Audited {
-        audits,
-        messages,
-        mut outcome,
-        ..
-    } = audit_all(&arguments.documents);
-    if let Some(wanted) = &arguments.explain {
-        return explain(wanted, &audits, outcome, arguments);
+    if arguments.watch {
+        return watch(arguments);
     }
+    let audited = audit_all(&arguments.documents);
+    match &arguments.explain {
+        Some(wanted) => explain(wanted, &audited.audits, audited.outcome, arguments),
+        None => write(&audited, arguments).0,
+    }
+}
+
+/// Judges documents whenever they change, as long as somebody reads that.
+fn watch(arguments: &Arguments) -> Outcome {
+    let paths = &arguments.documents;
+    if paths.is_empty() || paths.iter().any(|path| path == "-") {
+        return wrong(
+            "what comes with the command, or from standard input, does not change",
+            "name the documents that are to be watched",
+        );
+    }
+    let mut earlier = Vec::new();
+    loop {
+        let before = stamps(paths, &earlier);
+        let audited = audit_again(paths, earlier);
+        let (outcome, is_read) = write(&audited, arguments);
+        if !is_read {
+            return outcome;
+        }
+        earlier = audited.audits;
+        let seen = stamps(paths, &earlier);
+        let differs = |(path, own)| seen.get(path).is_some_and(|now| now != own);
+        // What was saved meanwhile may not have been read.
+        let is_late = before.iter().any(differs);
+        while !is_late && stamps(paths, &earlier) == seen {
+            std::thread::sleep(LOOK);
+        }
+    }
+}
+
+/// When the documents, and what they import, were written last, and how long they are.
+fn stamps(paths: &[String], audits: &[Audit]) -> BTreeMap<String, Option<(SystemTime, u64)>> {
+    let imported = audits.iter().flat_map(|audit| &audit.sources);
+    let all = paths.iter().chain(imported.map(|source| &source.path));
+    let stamp = |path: &String| {
+        let found = std::fs::metadata(path).ok()?;
+        Some((found.modified().ok()?, found.len()))
+    };
+    all.map(|path| (path.clone(), stamp(path))).collect()
+}
+
+/// Writes the verdicts: the outcome, and whether more of them would be read.
+fn write(audited: &Audited, arguments: &Arguments) -> (Outcome, bool) {
+    let Audited {
+        audits, messages, ..
+    } = audited;
+    let mut outcome = audited.outcome;
     if !audits.iter().all(Audit::as_expected) {
         outcome = outcome.max(Outcome::Differs);
     }
     let width = width(arguments.width);
     let written = match arguments.format {
         Format::Text => joined(audits.iter().map(|audit| text::audit(audit, width))),
-        Format::Json => json::audits(&audits, &messages),
+        Format::Json => json::audits(audits, messages),
         Format::Markdown => joined(audits.iter().map(markdown::audit)),
-        Format::Latex => latex::audits(&audits),
+        Format::Latex => latex::audits(audits),
     };
-    finish(&written, outcome)
+    match stream(&written) {
+        Ok(is_read) => (outcome, is_read),
+        Err(error) => (outcome.max(unwritten(&error)), false),
+    }
 }
 
 fn explain(wanted: &str, audits: &[Audit], outcome: Outcome, arguments: &Arguments) -> Outcome {

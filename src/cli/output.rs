@@ -51,11 +51,14 @@ pub fn stream(text: &str) -> Result<bool, io::Error> {
 pub fn finish(text: &str, outcome: Outcome) -> Outcome {
     match stream(text) {
         Ok(_) => outcome,
-        Err(error) => {
-            let what = format!("standard output cannot be written: {}", reason(&error));
-            outcome.max(wrong(&what, "let it go where there is room"))
-        }
+        Err(error) => outcome.max(unwritten(&error)),
     }
+}
+
+/// Says that results cannot be written.
+pub fn unwritten(error: &io::Error) -> Outcome {
+    let what = format!("standard output cannot be written: {}", reason(error));
+    wrong(&what, "let it go where there is room")
 }
 
 /// Writes to standard error; if that is closed, there is nobody to tell.

@@ -23,6 +23,8 @@ pub struct Audited {
     pub messages: Messages,
     /// Whether something is.
     pub outcome: Outcome,
+    /// Audits of earlier texts, from which those are taken that are what they would be now.
+    earlier: Vec<Audit>,
     /// The messages so far, since documents import each other.
     known: BTreeSet<(String, usize, String)>,
 }
@@ -31,7 +33,15 @@ pub struct Audited {
 ///
 /// What is wrong with a document is written to standard error, and the others are audited all the same.
 pub fn audit_all(paths: &[String]) -> Audited {
-    let mut audited = Audited::nothing();
+    audit_again(paths, Vec::new())
+}
+
+/// The same, where earlier audits are taken for documents that did not change, and import none that did.
+pub fn audit_again(paths: &[String], earlier: Vec<Audit>) -> Audited {
+    let mut audited = Audited {
+        earlier,
+        ..Audited::nothing()
+    };
     if paths.is_empty() {
         shipped().for_each(|source| audited.audit(&source, &ShippedLibrary));
     }
@@ -61,6 +71,7 @@ impl Audited {
             audits: Vec::new(),
             messages: Messages::default(),
             outcome: Outcome::AsExpected,
+            earlier: Vec::new(),
             known: BTreeSet::new(),
         }
     }
@@ -86,7 +97,11 @@ impl Audited {
     }
 
     fn audit(&mut self, source: &SourceFile, library: &dyn Library) {
-        match audit_after(&self.audits, source, library) {
+        let audit = match self.unchanged(source, library) {
+            Some(audit) => Ok(audit),
+            None => audit_after(&self.audits, source, library),
+        };
+        match audit {
             Err(rejected) => {
                 for diagnostic in &rejected.diagnostics {
                     self.tell(diagnostic, &rejected.source);
@@ -101,6 +116,19 @@ impl Audited {
                 self.audits.push(audit);
             }
         }
+    }
+
+    /// The earlier audit of a text, if neither that nor what it imports is another one now.
+    fn unchanged(&mut self, source: &SourceFile, library: &dyn Library) -> Option<Audit> {
+        let is_same = |own: &SourceFile| match own.path == source.path {
+            true => own.text == source.text,
+            false => library
+                .read(&own.path, "")
+                .is_ok_and(|now| now.text == own.text),
+        };
+        let is_it = |audit: &Audit| audit.path == source.path && audit.sources.iter().all(is_same);
+        let place = self.earlier.iter().position(is_it)?;
+        Some(self.earlier.swap_remove(place))
     }
 
     /// Tells a mistake that was not told before.

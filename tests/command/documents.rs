@@ -1,5 +1,7 @@
 //! Documents as a user names them: what is read, and what every report says at its head.
 
+#[cfg(unix)]
+use std::io::BufRead;
 use std::path::PathBuf;
 #[cfg(unix)]
 use std::process::{Child, Command, Stdio};
@@ -96,4 +98,52 @@ fn only_regular_files_are_read() {
         let errors = std::fs::read_to_string(errors).expect("messages");
         assert!(said.iter().all(|own| errors.contains(own)), "{errors}");
     }
+}
+
+/// Standard output of a command up to a line that has these words.
+#[cfg(unix)]
+fn read_up_to(words: &str, lines: &mut impl Iterator<Item = std::io::Result<String>>) -> String {
+    let mut text = String::new();
+    for line in lines {
+        let line = line.expect("a line");
+        text += &line;
+        text.push('\n');
+        if line.contains(words) {
+            return text;
+        }
+    }
+    panic!("{words} does not come: {text}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_document_that_is_watched_is_judged_whenever_it_is_saved() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("watched");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let (base, own) = (folder.join("base.md"), folder.join("own.md"));
+    let save = |path: &PathBuf, statements: &str| {
+        let text = format!("# A document\n\n```sextic\n{statements}\n```\n");
+        std::fs::write(path, text).expect("a file");
+    };
+    save(&base, "parameter a : 1\nb := 2*a");
+    save(&own, "import \"base.md\"\nclaim (1): b == a + a");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_sextic"))
+        .args(["audit", own.to_str().unwrap(), "--watch"])
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the command runs");
+    let mut lines = std::io::BufReader::new(child.stdout.take().unwrap()).lines();
+    let first = read_up_to("The one verdict", &mut lines);
+    assert!(first.contains("✓ holds"), "{first}");
+    // What it imports is watched, too.
+    save(&base, "parameter a : 1\nb := 3*a");
+    let second = read_up_to("NOT as the document expects.", &mut lines);
+    assert!(second.contains("✗ refuted"), "{second}");
+    save(&own, "import \"base.md\"\nclaim (1): b == a + a + a");
+    let third = read_up_to("The one verdict", &mut lines);
+    assert!(third.contains("✓ holds"), "{third}");
+    child.kill().expect("it is stopped");
+    let _ = child.wait();
+    let output = sextic(&["audit", "--watch"]);
+    assert_eq!(output.status.code(), Some(2));
 }

@@ -296,7 +296,7 @@ impl Elaborator {
             Diagnostic::new(DiagnosticKind::Arguments, place.clone(), message)
                 .with_label("what was found by the assumption may not hold here")
                 .with_help(format!(
-                    "declare the signs from which {wanted} follows, or assume it"
+                    "declare or assume that {wanted}, or replace it by something for which that is known"
                 )),
         )
     }
