@@ -28,10 +28,10 @@ pub struct Model {
     /// iω of the free coordinates, scaled.
     frequencies: [Ball; 3],
     pub(super) mass: Matrix<Ball>,
-    structural_damping: Matrix<Ball>,
-    aerodynamic_damping: Matrix<Ball>,
-    stiffness: Matrix<Ball>,
-    aerodynamic_stiffness: Matrix<Ball>,
+    pub(super) structural_damping: Matrix<Ball>,
+    pub(super) aerodynamic_damping: Matrix<Ball>,
+    pub(super) stiffness: Matrix<Ball>,
+    pub(super) aerodynamic_stiffness: Matrix<Ball>,
 }
 
 impl Model {

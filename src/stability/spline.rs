@@ -10,6 +10,8 @@ pub enum Ends {
     Periodic,
     /// The first two pieces are one polynomial, and so are the last two.
     NotAKnot,
+    /// The curvature is 0 there.
+    Natural,
 }
 
 /// A curve of cubic pieces through points, twice continuously differentiable.
@@ -55,6 +57,7 @@ impl CubicSpline {
         let slopes = match ends {
             Ends::Periodic => periodic_slopes(&h, &delta),
             Ends::NotAKnot => not_a_knot_slopes(&h, &delta),
+            Ends::Natural => natural_slopes(&h, &delta),
         };
         CubicSpline {
             x: x.to_vec(),
@@ -92,6 +95,15 @@ type Row = [f64; 4];
 fn inner(h: [f64; 2], delta: [f64; 2]) -> Row {
     let right = 3.0 * (h[1] * delta[0] + h[0] * delta[1]);
     [h[1], 2.0 * (h[0] + h[1]), h[0], right]
+}
+
+fn natural_slopes(h: &[f64], delta: &[f64]) -> Vec<f64> {
+    // 2 d_0 + d_1 = 3 δ_0
+    let end = |delta: f64| [1.0, 2.0, 1.0, 3.0 * delta];
+    let inner = (1..h.len()).map(|i| inner([h[i - 1], h[i]], [delta[i - 1], delta[i]]));
+    let first = std::iter::once(end(delta[0]));
+    let last = std::iter::once(end(delta[h.len() - 1]));
+    tridiagonal(&first.chain(inner).chain(last).collect::<Vec<_>>())
 }
 
 fn not_a_knot_slopes(h: &[f64], delta: &[f64]) -> Vec<f64> {

@@ -32,8 +32,8 @@ fn dense(x: &[f64], y: &[f64], ends: Ends) -> Vec<[f64; 4]> {
         equation(&[(i, [1.0, h, h * h, h * h * h])], y[i + 1]);
         let next = match ends {
             Ends::Periodic => (i + 1) % n,
-            Ends::NotAKnot if i + 1 < n => i + 1,
-            Ends::NotAKnot => continue,
+            _ if i + 1 < n => i + 1,
+            _ => continue,
         };
         equation(&[(i, slope(h)), (next, minus(slope(0.0)))], 0.0);
         equation(&[(i, curvature(h)), (next, minus(curvature(0.0)))], 0.0);
@@ -41,6 +41,10 @@ fn dense(x: &[f64], y: &[f64], ends: Ends) -> Vec<[f64; 4]> {
     if ends == Ends::NotAKnot {
         equation(&[(0, jerk), (1, minus(jerk))], 0.0);
         equation(&[(n - 1, jerk), (n - 2, minus(jerk))], 0.0);
+    }
+    if ends == Ends::Natural {
+        equation(&[(0, curvature(0.0))], 0.0);
+        equation(&[(n - 1, curvature(x[n] - x[n - 1]))], 0.0);
     }
     let solution = matrix.lu().solve(&right).expect("a regular system");
     (0..n)
@@ -53,15 +57,14 @@ proptest! {
     fn splines_are_the_solution_of_all_their_conditions(
         steps in prop::collection::vec(0.5..5.0_f64, 4..12),
         heights in prop::collection::vec(-2.0..2.0_f64, 13),
-        is_periodic: bool,
+        ends in prop::sample::select(vec![Ends::Periodic, Ends::NotAKnot, Ends::Natural]),
     ) {
-        let ends = if is_periodic { Ends::Periodic } else { Ends::NotAKnot };
         let mut x = vec![-3.0];
         for step in &steps {
             x.push(x[x.len() - 1] + step);
         }
         let mut y = heights[..x.len()].to_vec();
-        if is_periodic {
+        if ends == Ends::Periodic {
             *y.last_mut().expect("points") = y[0];
         }
         let spline = CubicSpline::new(&x, &y, ends);

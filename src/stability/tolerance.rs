@@ -1,0 +1,518 @@
+//! What is certain of a section for all coefficients within their errors.
+
+use nalgebra::DMatrix;
+use num_complex::Complex;
+
+use super::approximation::approximate_eigenvalues;
+use super::ball::Ball;
+use super::error::StabilityError;
+use super::forces::{Coefficients, Forces, Matrix};
+use super::model::Model;
+use super::section::{Parameters, Section};
+use super::shape::mode_shape;
+use super::state_matrix::eigenvalues;
+use super::verdict::{Verdict, verdict};
+
+/// What is known of all sections whose coefficients are within their errors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Certainty {
+    /// Every one of them is stable.
+    Stable,
+    /// Every one of them is unstable.
+    Unstable,
+    /// Of two of them, which were found, one is stable and the other is not.
+    Depends,
+    /// None of these is shown.
+    Open,
+}
+
+impl Certainty {
+    /// `stable`, `unstable`, `depends` or `open`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Certainty::Stable => "stable",
+            Certainty::Unstable => "unstable",
+            Certainty::Depends => "depends",
+            Certainty::Open => "open",
+        }
+    }
+}
+
+/// More than what is lost where bounds are added up.
+const ABOVE: f64 = 1.0 + 1e-12;
+
+/// Eigenvectors are good enough for their inverse if it is one up to this.
+const INVERSE: f64 = 1e-3;
+
+/// What is certain of a section for all coefficients that differ from its own by at most `errors`, in the units of
+/// each: C_D ± ΔC_D, C_L ± ΔC_L, C_M ± ΔC_M, and their slopes.
+///
+/// With A = \[0, I; −K − K_a, −C_s − C_a\], B = diagonal(I, M), the eigenvectors X of the section itself and Y near
+/// (B X)⁻¹, the eigenvalues of every such section are those of
+///
+/// ```text
+/// Λ + (Y B X)⁻¹ Y (A X − B X Λ + Σ_k Δ_k A_k X),   |Δ_k| ≤ errors_k,
+/// ```
+///
+/// as the forces are linear in the coefficients. The diagonal moves the eigenvalues, and discs about them hold what the
+/// rest does (Gershgorin): each is scaled until it is as small as its distance to the others allows, so that its radius is
+/// of second order in the errors. All products are taken in numbers with bounds. Where that decides nothing, the
+/// coefficients at the ends of their errors at which each mode is best and worst damped are looked at, with proof; then the
+/// errors are halved, that first which matters most, and both halves looked at.
+///
+/// Some 8 products of matrices with 2n rows; at most 64 times as many, and 7 verdicts, where that decides nothing.
+///
+/// # Errors
+///
+/// As [`Model::new`]; [`StabilityError::StiffnessWithoutCoefficients`] if S_a is given, which has no coefficients.
+pub fn certainty(section: &Section, errors: &Coefficients) -> Result<Certainty, StabilityError> {
+    let Forces::Coefficients(middle) = section.parameters().forces else {
+        return Err(StabilityError::StiffnessWithoutCoefficients);
+    };
+    let mut found = Found::default();
+    let mut parts = vec![(numbers(&middle), numbers(errors))];
+    for count in 1.. {
+        let Some((middle, errors)) = parts.pop() else {
+            break;
+        };
+        let own = with(section, middle)?;
+        let family = Family::about(&Model::new(&own)?, errors)?;
+        match family.as_ref().and_then(Family::certainty) {
+            Some(certain) => found.add(certain),
+            None if count == 1 => found.add_ends(section, family.as_ref(), middle, errors)?,
+            None => {}
+        }
+        if found.is_decided() {
+            break;
+        }
+        let is_open = family.as_ref().and_then(Family::certainty).is_none();
+        match family {
+            Some(family) if is_open && count < MOST_PARTS => {
+                parts.extend(family.halves(middle, errors));
+            }
+            _ => found.is_open |= is_open,
+        }
+    }
+    Ok(found.certainty())
+}
+
+/// The most parts of the errors that are looked at.
+const MOST_PARTS: usize = 64;
+
+/// What was found of sections with some of the coefficients.
+#[derive(Default)]
+struct Found {
+    is_stable: bool,
+    is_unstable: bool,
+    /// Whether nothing is known of some.
+    is_open: bool,
+}
+
+impl Found {
+    fn add(&mut self, certain: Certainty) {
+        self.is_stable |= certain == Certainty::Stable;
+        self.is_unstable |= certain == Certainty::Unstable;
+    }
+
+    /// Looks at the coefficients in the middle, and at those at which each mode is best and worst damped.
+    fn add_ends(
+        &mut self,
+        section: &Section,
+        family: Option<&Family>,
+        middle: [f64; 6],
+        errors: [f64; 6],
+    ) -> Result<(), StabilityError> {
+        let ends = family.into_iter().flat_map(|own| own.ends(middle, errors));
+        for end in std::iter::once(middle).chain(ends) {
+            let own = with(section, end)?;
+            match verdict(&own, &eigenvalues(&Model::new(&own)?)?) {
+                Verdict::Stable(_) => self.is_stable = true,
+                Verdict::Unstable(_) => self.is_unstable = true,
+                Verdict::Undecided(_) => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn is_decided(&self) -> bool {
+        self.is_stable && self.is_unstable
+    }
+
+    fn certainty(&self) -> Certainty {
+        match (self.is_stable, self.is_unstable) {
+            (true, true) => Certainty::Depends,
+            (true, false) if !self.is_open => Certainty::Stable,
+            (false, true) if !self.is_open => Certainty::Unstable,
+            _ => Certainty::Open,
+        }
+    }
+}
+
+/// A section with other coefficients.
+fn with(section: &Section, coefficients: [f64; 6]) -> Result<Section, StabilityError> {
+    Section::new(Parameters {
+        forces: from_numbers(coefficients).into(),
+        ..*section.parameters()
+    })
+}
+
+/// The sections, seen from the eigenvectors of the one in their middle.
+struct Family {
+    /// Λ, scaled.
+    values: Vec<Complex<f64>>,
+    /// What the real part of each eigenvalue may move by at first order.
+    reach: Vec<f64>,
+    /// What it moves by with each coefficient at the upper end of its error.
+    slopes: Vec<[f64; 6]>,
+    /// Bounds of the entries of what is added to Λ, those of the diagonal without what moves the real part.
+    entries: DMatrix<f64>,
+}
+
+type Balls = DMatrix<Ball>;
+
+impl Family {
+    /// `None` if there are no eigenvectors that are apart from each other.
+    fn about(model: &Model, errors: [f64; 6]) -> Result<Option<Self>, StabilityError> {
+        let Some((values, vectors)) = eigenvectors(model) else {
+            return Ok(None);
+        };
+        let [a, b] = pencil(model);
+        let x = vectors.map(Ball::exact);
+        let b_x = product(&b, &x);
+        let Some(inverse) = b_x.map(|own| own.centre).try_inverse() else {
+            return Ok(None);
+        };
+        let y = inverse.map(Ball::exact);
+        let scaled = DMatrix::from_fn(b_x.nrows(), b_x.ncols(), |row, column| {
+            b_x[(row, column)] * Ball::exact(-values[column])
+        });
+        let residual = product(&y, &sum(&product(&a, &x), &scaled));
+        let changes: Vec<Balls> = changes(model, errors)?
+            .iter()
+            .map(|own| product(&y, &product(own, &x)))
+            .collect();
+        let away = product(&y, &b_x);
+        let away = DMatrix::from_fn(away.nrows(), away.ncols(), |row, column| {
+            let one = if row == column { -1.0 } else { 0.0 };
+            (away[(row, column)] + Ball::exactly(one)).largest()
+        });
+        let away = (0..away.nrows()).map(|row| away.row(row).sum());
+        let away = away.fold(0.0, f64::max) * ABOVE;
+        // Also where it is not a number.
+        if !(away < INVERSE) {
+            return Ok(None);
+        }
+        Ok(Some(Family::new(values, &residual, &changes, away)))
+    }
+
+    fn new(values: Vec<Complex<f64>>, residual: &Balls, changes: &[Balls], away: f64) -> Self {
+        let size = values.len();
+        let all = |row: usize, column: usize| -> f64 {
+            let parts = changes.iter().map(|own| own[(row, column)].largest());
+            (residual[(row, column)].largest() + parts.sum::<f64>()) * ABOVE
+        };
+        let whole = DMatrix::from_fn(size, size, all);
+        // What the inverse of Y B X adds to a column.
+        let more = away / (1.0 - away) * ABOVE;
+        let lost = |column: usize| more * whole.column(column).max();
+        let real = |own: &Balls, place: usize| {
+            let own = own[(place, place)];
+            own.centre.re.abs() + own.radius
+        };
+        let reach = |place: usize| {
+            let moved: f64 = changes.iter().map(|own| real(own, place)).sum();
+            (moved + residual[(place, place)].largest() + lost(place)) * ABOVE
+        };
+        Family {
+            reach: (0..size).map(reach).collect(),
+            slopes: (0..size)
+                .map(|place| std::array::from_fn(|k| changes[k][(place, place)].centre.re))
+                .collect(),
+            entries: DMatrix::from_fn(size, size, |row, column| {
+                (whole[(row, column)] + lost(column)) * ABOVE
+            }),
+            values,
+        }
+    }
+
+    /// What the discs show.
+    fn certainty(&self) -> Option<Certainty> {
+        let size = self.values.len();
+        let radii: Vec<Option<f64>> = (0..size).map(|place| self.radius(place)).collect();
+        let real = |place: usize| self.values[place].re;
+        let is_right = |place: usize| {
+            radii[place].is_some_and(|own| real(place) > (self.reach[place] + own) * ABOVE)
+        };
+        if (0..size).any(is_right) {
+            return Some(Certainty::Unstable);
+        }
+        let radii: Option<Vec<f64>> = radii.into_iter().collect();
+        let radii = radii?;
+        let reaches = |place: usize| self.entries[(place, place)] + radii[place];
+        let are_apart = |one: usize, other: usize| {
+            let distance = (self.values[one] - self.values[other]).norm();
+            distance > (reaches(one) + reaches(other)) * ABOVE
+        };
+        let all_apart = (0..size).all(|one| (0..one).all(|other| are_apart(one, other)));
+        let is_left = |place: usize| real(place) < -(self.reach[place] + radii[place]) * ABOVE;
+        (all_apart && (0..size).all(is_left)).then_some(Certainty::Stable)
+    }
+
+    /// The radius of a disc that holds just one eigenvalue, beside what the diagonal does; `None` if the others are too
+    /// near.
+    fn radius(&self, place: usize) -> Option<f64> {
+        let others = || (0..self.values.len()).filter(move |other| *other != place);
+        let row = |row: usize, without: usize| -> f64 {
+            let all = (0..self.values.len()).filter(|own| *own != row && *own != without);
+            all.map(|own| self.entries[(row, own)]).sum::<f64>() * ABOVE
+        };
+        // What is between the disc and another one if both had no radius, or that of the others alone.
+        let room = |other: usize| {
+            let distance = (self.values[place] - self.values[other]).norm() / ABOVE;
+            let diagonal = self.entries[(place, place)] + self.entries[(other, other)];
+            distance - (diagonal + row(other, place)) * ABOVE
+        };
+        let share = |other: usize| 2.0 * self.entries[(other, place)] / room(other);
+        let scale = others().map(share).fold(f64::MIN_POSITIVE, f64::max);
+        let radius = scale * row(place, place) * ABOVE;
+        let is_apart = |other: usize| {
+            let beside = self.entries[(other, place)] / scale;
+            room(other) > (radius + beside) * ABOVE
+        };
+        (scale <= 1.0 && others().all(is_apart)).then_some(radius)
+    }
+
+    /// The coefficients at which each mode is worst and best damped, at first order.
+    fn ends(&self, middle: [f64; 6], errors: [f64; 6]) -> Vec<[f64; 6]> {
+        let oscillate = (0..self.values.len()).filter(|place| self.values[*place].im >= 0.0);
+        let end = |place: usize, towards: f64| {
+            std::array::from_fn(|k| {
+                // Rounded towards the middle.
+                let error = errors[k] * (1.0 - 1e-12);
+                middle[k] + towards * self.slopes[place][k].signum() * error
+            })
+        };
+        oscillate
+            .flat_map(|place| [end(place, 1.0), end(place, -1.0)])
+            .collect()
+    }
+
+    /// The halves of the coefficients, by that whose error moves the least damped mode most.
+    fn halves(&self, middle: [f64; 6], errors: [f64; 6]) -> [([f64; 6], [f64; 6]); 2] {
+        let damping = |place: &usize| self.values[*place].re + self.reach[*place];
+        let places = 0..self.values.len();
+        let worst = places.max_by(|one, other| damping(one).total_cmp(&damping(other)));
+        let slopes = worst.map_or([0.0; 6], |place| self.slopes[place]);
+        let size = |k: &usize| slopes[*k].abs();
+        let widest = (0..6).max_by(|one, other| size(one).total_cmp(&size(other)));
+        let widest = widest.unwrap_or(0);
+        [-0.5, 0.5].map(|towards| {
+            let (mut own, mut half) = (middle, errors);
+            own[widest] += towards * errors[widest];
+            // Both halves hold the middle, whatever was rounded.
+            half[widest] = (0.5 * errors[widest] + f64::EPSILON * middle[widest].abs()) * ABOVE;
+            (own, half)
+        })
+    }
+}
+
+/// Eigenvalues, scaled, and the vectors (q, λq) in columns.
+fn eigenvectors(model: &Model) -> Option<(Vec<Complex<f64>>, DMatrix<Complex<f64>>)> {
+    let n = model.freedom();
+    let values = approximate_eigenvalues(&model.scaled_state_matrix()).next()?;
+    let shape = |value: &Complex<f64>| mode_shape(model, value * model.frequency_unit, None);
+    let shapes: Vec<Vec<Complex<f64>>> = values.iter().map(shape).collect::<Option<_>>()?;
+    let vectors = DMatrix::from_fn(2 * n, 2 * n, |row, column| match row < n {
+        true => shapes[column][row],
+        false => shapes[column][row - n] * values[column],
+    });
+    Some((values, vectors))
+}
+
+/// A and B, scaled.
+fn pencil(model: &Model) -> [Balls; 2] {
+    let n = model.freedom();
+    let unit = |is_one: bool| if is_one { Ball::ONE } else { Ball::ZERO };
+    let a = DMatrix::from_fn(2 * n, 2 * n, |row, column| match (row < n, column < n) {
+        (true, _) => unit(column == row + n),
+        (false, true) => {
+            let [i, j] = [row - n, column];
+            -(model.stiffness[i][j] + model.aerodynamic_stiffness[i][j])
+        }
+        (false, false) => {
+            let [i, j] = [row - n, column - n];
+            -(model.structural_damping[i][j] + model.aerodynamic_damping[i][j])
+        }
+    });
+    let b = DMatrix::from_fn(2 * n, 2 * n, |row, column| match (row < n, column < n) {
+        (false, false) => model.mass[row - n][column - n],
+        _ => unit(row == column),
+    });
+    [a, b]
+}
+
+/// errors_k A_k: the change of A for each coefficient at the upper end of its error, since C_a and K_a are linear in the
+/// coefficients.
+fn changes(model: &Model, errors: [f64; 6]) -> Result<Vec<Balls>, StabilityError> {
+    let n = model.freedom();
+    let change = |k: usize| -> Result<Balls, StabilityError> {
+        let mut alone = [0.0; 6];
+        alone[k] = errors[k];
+        let own = Model::new(&with(model.section(), alone)?)?;
+        let entry = |matrix: &Matrix<Ball>, i: usize, j: usize| -matrix[i][j];
+        Ok(DMatrix::from_fn(2 * n, 2 * n, |row, column| {
+            match (row < n, column < n) {
+                (true, _) => Ball::ZERO,
+                (false, true) => entry(&own.aerodynamic_stiffness, row - n, column),
+                (false, false) => entry(&own.aerodynamic_damping, row - n, column - n),
+            }
+        }))
+    };
+    (0..6).map(change).collect()
+}
+
+fn numbers(c: &Coefficients) -> [f64; 6] {
+    [
+        c.drag,
+        c.lift,
+        c.moment,
+        c.drag_slope,
+        c.lift_slope,
+        c.moment_slope,
+    ]
+}
+
+fn from_numbers(own: [f64; 6]) -> Coefficients {
+    let [drag, lift, moment, drag_slope, lift_slope, moment_slope] = own;
+    Coefficients {
+        drag,
+        lift,
+        moment,
+        drag_slope,
+        lift_slope,
+        moment_slope,
+    }
+}
+
+fn product(left: &Balls, right: &Balls) -> Balls {
+    DMatrix::from_fn(left.nrows(), right.ncols(), |row, column| {
+        let terms = (0..left.ncols()).map(|k| left[(row, k)] * right[(k, column)]);
+        terms.fold(Ball::ZERO, |sum, own| sum + own)
+    })
+}
+
+fn sum(one: &Balls, other: &Balls) -> Balls {
+    one.zip_map(other, |own, more| own + more)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stability::coordinate::FreeCoordinates;
+    use crate::stability::exact_section::ExactSection;
+    use crate::stability::verdict::{Proof, exact_verdict};
+    use proptest::prelude::*;
+
+    fn parameters() -> impl Strategy<Value = Parameters> {
+        let coefficient = || prop_oneof![-4.0..4.0_f64, -0.5..0.5_f64];
+        let forces = prop::collection::vec(coefficient(), 6);
+        let angles = prop::collection::vec(-3.0..3.0_f64, 4);
+        (
+            forces,
+            angles,
+            0.0..0.9_f64,
+            0.5..30.0_f64,
+            prop::collection::vec(0.8..1.2_f64, 3),
+            0.0..0.02_f64,
+            any::<bool>(),
+        )
+            .prop_map(|(c, angles, e, speed, f, zeta, is_stiff)| Parameters {
+                mass: 3.0,
+                radius_of_gyration: 0.02,
+                mass_centre_distance: 0.02 * e,
+                mass_centre_angle: angles[0],
+                aerodynamic_centre_distance: 0.02,
+                aerodynamic_centre_angle: angles[1],
+                reference_dimension: 0.05,
+                natural_frequencies: [6.0 * f[0], 6.0 * f[1], 6.0 * f[2]],
+                damping_ratios: [zeta; 3],
+                air_density: 1.25,
+                wind_speed: speed,
+                wind_angle: angles[2],
+                attitude: angles[3],
+                forces: from_numbers([c[0], c[1], c[2], c[3], c[4], c[5]]).into(),
+                free: FreeCoordinates::all(),
+                aerodynamic_stiffness: is_stiff,
+            })
+    }
+
+    fn verdict_at(parameters: Parameters, c: [f64; 6]) -> Verdict {
+        let parameters = Parameters {
+            forces: from_numbers(c).into(),
+            ..parameters
+        };
+        exact_verdict(&ExactSection::from(&Section::new(parameters).unwrap()))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(200))]
+
+        /// What is certain of all is so of some that are drawn, and of those at all corners.
+        #[test]
+        fn what_is_certain_holds_for_all(
+            parameters in parameters(),
+            size in prop_oneof![0.0..0.05_f64, 0.0..1.0_f64],
+            shares in prop::collection::vec(prop::collection::vec(-1.0..1.0_f64, 6), 6),
+            corner in 0_u32..64,
+        ) {
+            let errors = [1.0, 1.0, 0.3, 2.0, 2.0, 0.5].map(|own: f64| own * size);
+            let section = Section::new(parameters).unwrap();
+            let found = certainty(&section, &from_numbers(errors)).unwrap();
+            let Forces::Coefficients(middle) = parameters.forces else { unreachable!() };
+            let middle = numbers(&middle);
+            let ends = (0..6).map(|k| if corner >> k & 1 == 0 { -1.0 } else { 1.0 }).collect();
+            for share in shares.into_iter().chain([ends]) {
+                let own: [f64; 6] = std::array::from_fn(|k| middle[k] + share[k] * errors[k]);
+                let verdict = verdict_at(parameters, own);
+                match found {
+                    Certainty::Stable => prop_assert!(matches!(verdict, Verdict::Stable(_)), "{verdict:?}"),
+                    Certainty::Unstable => prop_assert!(matches!(verdict, Verdict::Unstable(_)), "{verdict:?}"),
+                    Certainty::Depends | Certainty::Open => {}
+                }
+            }
+        }
+    }
+
+    /// Without errors it is the verdict, and with large ones it depends: nothing is open for most sections.
+    #[test]
+    fn most_sections_are_decided() {
+        use proptest::strategy::ValueTree;
+        use proptest::test_runner::TestRunner;
+        let mut runner = TestRunner::deterministic();
+        let mut counts = [[0; 4]; 3];
+        for _ in 0..300 {
+            let parameters = parameters().new_tree(&mut runner).unwrap().current();
+            let section = Section::new(parameters).unwrap();
+            for (size, counts) in [0.0, 0.03, 0.3].iter().zip(&mut counts) {
+                let errors = [1.0, 1.0, 0.3, 2.0, 2.0, 0.5].map(|own: f64| own * size);
+                let found = certainty(&section, &from_numbers(errors)).unwrap();
+                counts[found as usize] += 1;
+                if *size == 0.0 {
+                    let verdict = exact_verdict(&ExactSection::from(&section));
+                    let is_same = match found {
+                        Certainty::Stable => verdict == Verdict::Stable(Proof::Determinants),
+                        Certainty::Unstable => verdict == Verdict::Unstable(Proof::Determinants),
+                        Certainty::Depends => false,
+                        Certainty::Open => true,
+                    };
+                    assert!(is_same, "{found:?}, {verdict:?}");
+                }
+            }
+        }
+        let open = Certainty::Open as usize;
+        println!("{counts:?}");
+        assert!(counts[0][open] < 10, "{counts:?}");
+        assert!(counts[1][open] < 60, "{counts:?}");
+        assert!(counts[2][Certainty::Depends as usize] > 30, "{counts:?}");
+    }
+}
