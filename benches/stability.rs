@@ -64,7 +64,7 @@ fn main() {
 
 /// The sections of a case at all its angles, and their models.
 fn sections_and_models(case: &Case, table: &CoefficientTable) -> (Vec<Section>, Vec<Model>) {
-    let curves = CoefficientCurves::new(table, case.interpolation);
+    let curves = CoefficientCurves::new(table, case.interpolation).expect("curves");
     let section = |angle: f64| case.section(angle, curves.at(angle).unwrap()).unwrap();
     let sections = case.angles.values().into_iter().map(section);
     sections.map(|own| (own, Model::new(&own).unwrap())).unzip()

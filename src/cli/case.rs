@@ -106,6 +106,7 @@ fn case_and_files(
         warn(&[Remark { place, what }]);
     }
     let table = CoefficientTable::read(&table_file.path, &table_file.text)
+        .and_then(|table| case.with_errors(table))
         .map_err(|error| refuse(&error))?;
     Ok((case, table, [case_file, table_file]))
 }

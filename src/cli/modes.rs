@@ -197,6 +197,7 @@ fn section_of(case: &Case, table: &CoefficientTable) -> Result<Section, Outcome>
         ));
     }
     let curves = CoefficientCurves::new(table, case.interpolation);
+    let curves = curves.map_err(|error| super::case::refuse(&error))?;
     let coefficients = curves.at(angle).map_err(|outside| {
         wrong(
             &format!("{}: {outside}", table.file()),

@@ -188,7 +188,7 @@ fn offset(comparison: &Comparison, table: &CoefficientTable) -> Result<Vec<Named
         let help = "correct the case or its table";
         InputError::new(Place::file(&case.file), what, help)
     };
-    let curves = CoefficientCurves::new(table, case.interpolation);
+    let curves = CoefficientCurves::new(table, case.interpolation)?;
     let coefficients = curves.at(worst).map_err(|error| wrong(error.to_string()))?;
     let points = against_offset(case, coefficients, worst, LARGEST, STEPS)
         .map_err(|error| wrong(error.to_string()))?;

@@ -9,6 +9,7 @@ mod turn;
 use self::file::File;
 use self::keys::{Lines, SWEEP, check_keys, not_read};
 pub use self::turn::Turn;
+use super::coefficient_table::CoefficientTable;
 use super::error::StabilityError;
 use super::input::{InputError, Place, Remark};
 use super::interpolation::Interpolation;
@@ -68,6 +69,8 @@ pub struct Case {
     pub coefficients: String,
     /// How the table is read between its angles.
     pub interpolation: Interpolation,
+    /// How far C_D, C_L and C_M may be from those of the table, if the case says so.
+    pub errors: Option<[f64; 3]>,
     /// The angles.
     pub angles: Angles,
     /// What was set in place of what the file and its table say.
@@ -130,6 +133,7 @@ impl Case {
             parameters,
             coefficients: read.coefficients.unwrap_or_default(),
             interpolation: read.interpolation.unwrap_or(Interpolation::Linear),
+            errors: read.errors.map(|own| [own.drag, own.lift, own.moment]),
             angles: Angles {
                 from: steps.from,
                 to: steps.to,
@@ -265,6 +269,7 @@ impl Case {
 
     fn check(&self, lines: &Lines) -> Result<(), InputError> {
         Section::new(self.parameters).map_err(|error| self.impossible(&error, lines))?;
+        self.check_errors(lines)?;
         let Angles { from, to, step, .. } = self.angles;
         let what = if ![from, to, step].iter().all(|number| number.is_finite()) {
             format!("the sweep from {from} to {to} in steps of {step} is not finite")
@@ -279,6 +284,35 @@ impl Case {
         };
         let place = lines.place(&self.file, "sweep", "alpha_deg");
         Err(InputError::new(place, what, SWEEP))
+    }
+
+    fn check_errors(&self, lines: &Lines) -> Result<(), InputError> {
+        let possible = |own: &f64| own.is_finite() && *own >= 0.0;
+        match self.errors.iter().flatten().find(|own| !possible(own)) {
+            None => Ok(()),
+            Some(error) => Err(InputError::new(
+                lines.place(&self.file, "section", "errors"),
+                format!("an error of the coefficients is {error}"),
+                "give how far each may be off, to both sides: errors = { CD = 0.01, CL = 0.02, CM = 0.005 }",
+            )),
+        }
+    }
+
+    /// The table with the errors that the case gives.
+    ///
+    /// # Errors
+    ///
+    /// If the table has errors of its own.
+    pub fn with_errors(&self, table: CoefficientTable) -> Result<CoefficientTable, InputError> {
+        match self.errors {
+            None => Ok(table),
+            Some(_) if table.has_errors() => Err(InputError::new(
+                Place::file(&self.file),
+                format!("the case gives errors, and so does {}", table.file()),
+                "keep one of both",
+            )),
+            Some(errors) => Ok(table.with_errors(errors)),
+        }
     }
 
     /// Why there is no section, by the names and units of a case file.

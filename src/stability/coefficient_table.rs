@@ -20,6 +20,8 @@ pub struct Row {
     pub lift: f64,
     /// C_M.
     pub moment: f64,
+    /// C_D, C_L and C_M may be as far from these; 0 where nothing is said.
+    pub errors: [f64; 3],
     /// The line of the file, from 1.
     pub line: usize,
 }
@@ -65,6 +67,9 @@ pub(super) const FEWEST_ROWS: usize = 4;
 
 /// What is closer to 360° than this, in degrees, is 360°.
 const WHOLE: f64 = 1e-9;
+
+/// How the columns of errors are called.
+const ERRORS: [&str; 3] = ["CD_error", "CL_error", "CM_error"];
 
 /// Larger numbers than any that mean something, and far from where products of them overflow.
 const LARGEST: f64 = 1e30;
@@ -209,6 +214,18 @@ impl CoefficientTable {
         &self.rows
     }
 
+    /// Whether any coefficient has an error.
+    pub fn has_errors(&self) -> bool {
+        self.rows.iter().any(|row| row.errors != [0.0; 3])
+    }
+
+    /// The same table, where C_D, C_L and C_M have these errors at every angle.
+    #[must_use]
+    pub fn with_errors(mut self, errors: [f64; 3]) -> Self {
+        self.rows.iter_mut().for_each(|row| row.errors = errors);
+        self
+    }
+
     /// The columns of derivatives that the table brings along.
     pub fn given_slopes(&self) -> &[GivenSlopes] {
         &self.given_slopes
@@ -259,11 +276,23 @@ impl CoefficientTable {
         }
         let number = |column: usize, name: &str| number(&place, name, &cells[column]);
         let [angle, lift, drag, moment] = columns.places;
+        let mut errors = [0.0; 3];
+        for ((own, column), name) in errors.iter_mut().zip(columns.errors).zip(ERRORS) {
+            if let Some(column) = column {
+                *own = number(column, name)?;
+                if *own < 0.0 {
+                    let what = format!("{name} is {own}, below 0");
+                    let help = "an error is how far a coefficient may be off, to both sides";
+                    return Err(InputError::new(place, what, help));
+                }
+            }
+        }
         self.rows.push(Row {
             angle: unit.degrees(number(angle, "alpha_deg")?),
             lift: number(lift, "CL")?,
             drag: number(drag, "CD")?,
             moment: number(moment, "CM")?,
+            errors,
             line,
         });
         for (slopes, (name, column)) in self.given_slopes.iter_mut().zip(&columns.slopes) {

@@ -65,7 +65,7 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
         let what = format!("U = 0: {NO_WIND}");
         return Err(InputError::new(file, what, "give a wind speed above 0"));
     }
-    let curves = CoefficientCurves::new(table, case.interpolation);
+    let curves = CoefficientCurves::new(table, case.interpolation)?;
     let angles = case.angles.values();
     let section = |angle: f64| section_at(case, table, &curves, angle);
     let answers = |&angle: &f64| -> Result<(f64, Answers), InputError> {

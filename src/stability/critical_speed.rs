@@ -273,7 +273,7 @@ pub fn speeds_of(
     table: &CoefficientTable,
     highest: f64,
 ) -> Result<Vec<(f64, Speeds)>, InputError> {
-    let curves = CoefficientCurves::new(table, case.interpolation);
+    let curves = CoefficientCurves::new(table, case.interpolation)?;
     let at = |angle: f64| {
         let section = section_at(case, table, &curves, angle)?;
         Ok((angle, speeds(&ExactSection::from(&section), highest)))

@@ -237,7 +237,7 @@ impl<'a> Grid<'a> {
 
     /// The case at all angles, which must be in the table.
     fn case_at_angles(&self, table: &CoefficientTable) -> Result<Vec<Given<f64>>, InputError> {
-        let curves = CoefficientCurves::new(table, self.case.interpolation);
+        let curves = CoefficientCurves::new(table, self.case.interpolation)?;
         let (angles, _) = self.angles_and_others();
         let at = |&angle: &f64| {
             let coefficients = curves.at(angle).map_err(|outside| {

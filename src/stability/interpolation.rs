@@ -5,7 +5,9 @@ use std::fmt;
 use serde::Deserialize;
 
 use super::coefficient_table::{CoefficientTable, FEWEST_ROWS, Row};
-use super::section::Coefficients;
+use super::forces::Coefficients;
+use super::input::{InputError, Place};
+use super::smoothing::{MOST_POINTS, Smoother};
 use super::spline::{CubicSpline, Ends, cell};
 
 /// How a table is read between its angles.
@@ -17,6 +19,8 @@ pub enum Interpolation {
     Linear,
     /// A cubic spline, periodic where the table goes round the circle, not-a-knot elsewhere.
     Cubic,
+    /// A [smoothing spline](super::smoothing), periodic or natural: it follows the table no closer than this scatters.
+    Smooth,
 }
 
 impl fmt::Display for Interpolation {
@@ -24,6 +28,7 @@ impl fmt::Display for Interpolation {
         formatter.write_str(match self {
             Interpolation::Linear => "straight lines between them",
             Interpolation::Cubic => "cubic splines between them",
+            Interpolation::Smooth => "smoothing splines near them",
         })
     }
 }
@@ -75,6 +80,11 @@ struct Piece {
     angles: Vec<f64>,
     /// C_D, C_L, C_M.
     curves: [Curve; 3],
+    /// Their errors at the angles.
+    errors: [Vec<f64>; 3],
+    /// What is 1 at one row and 0 at the others, as the curve makes it: for all columns, or for each if what smooths
+    /// them differs; empty where nothing has an error.
+    influences: Vec<Vec<Curve>>,
 }
 
 #[derive(Clone, Debug)]
@@ -87,8 +97,12 @@ impl CoefficientCurves {
     /// Curves through a table: linear in its length, but for sorting the widths of its cells.
     ///
     /// Nothing is drawn across a [hole](CoefficientTable::holes): the rows between two of them make a curve of
-    /// their own if there are at least four.
-    pub fn new(table: &CoefficientTable, interpolation: Interpolation) -> Self {
+    /// their own if there are at least four. What is smoothed takes the third power of its length.
+    ///
+    /// # Errors
+    ///
+    /// If more than [`MOST_POINTS`] rows are to be smoothed, or no smoothing curve is found.
+    pub fn new(table: &CoefficientTable, interpolation: Interpolation) -> Result<Self, InputError> {
         let mut rows = table.rows().to_vec();
         let is_circle = table.is_circle();
         // A table that stops one step short of the circle is closed with its first row.
@@ -108,9 +122,10 @@ impl CoefficientCurves {
             // The first one lies beyond the last row now.
             holes = holes[1..].iter().map(|own| own - hole - 1).collect();
         }
-        let ends = match is_whole {
-            true => Ends::Periodic,
-            false => Ends::NotAKnot,
+        let ends = match (is_whole, interpolation) {
+            (true, _) => Ends::Periodic,
+            (false, Interpolation::Smooth) => Ends::Natural,
+            (false, _) => Ends::NotAKnot,
         };
         let mut pieces = Vec::new();
         let mut rest = rows.as_slice();
@@ -123,14 +138,21 @@ impl CoefficientCurves {
         pieces.push(rest);
         let is_long = |piece: &&[Row]| piece.len() >= FEWEST_ROWS;
         let pieces = pieces.into_iter().filter(is_long);
-        CoefficientCurves {
+        let pieces = pieces.map(|piece| {
+            Piece::new(piece, interpolation, ends).ok_or_else(|| {
+                let what = format!("{} rows are not smoothed", piece.len());
+                let help = format!(
+                    "`interpolation = \"cubic\"` goes through all of them; at most {MOST_POINTS} are smoothed"
+                );
+                InputError::new(Place::file(table.file()), what, help)
+            })
+        });
+        Ok(CoefficientCurves {
             angles,
             is_circle,
             is_whole,
-            pieces: pieces
-                .map(|piece| Piece::new(piece, interpolation, ends))
-                .collect(),
-        }
+            pieces: pieces.collect::<Result<_, _>>()?,
+        })
     }
 
     /// The coefficients at an angle in degrees, and their derivatives per radian; on the circle, at any
@@ -144,16 +166,9 @@ impl CoefficientCurves {
     pub fn at(&self, angle: f64) -> Result<Coefficients, OutsideTable> {
         let outside = || self.outside(angle);
         let (piece, place) = self.place(angle).ok_or_else(outside)?;
-        let [drag, lift, moment] = [0, 1, 2].map(|curve: usize| piece.at(curve, place));
-        let per_radian = |slope: f64| slope.to_degrees();
-        Ok(Coefficients {
-            drag: drag.0,
-            lift: lift.0,
-            moment: moment.0,
-            drag_slope: per_radian(drag.1),
-            lift_slope: per_radian(lift.1),
-            moment_slope: per_radian(moment.1),
-        })
+        Ok(coefficients(
+            [0, 1, 2].map(|curve: usize| piece.at(curve, place)),
+        ))
     }
 
     /// The piece that holds an angle, and the angle there: as it is if any does, else turned round the circle.
@@ -211,6 +226,20 @@ impl CoefficientCurves {
         }
     }
 
+    /// How far the coefficients at an angle, and their derivatives, may be off if each row of the table is off by at most its
+    /// errors: Σ|w_j| e_j with the weights w_j that the value or slope there gives to each row.
+    ///
+    /// As many curves as there are rows around the angle, the first time.
+    ///
+    /// # Errors
+    ///
+    /// As [`CoefficientCurves::at`].
+    pub fn errors_at(&self, angle: f64) -> Result<Coefficients, OutsideTable> {
+        let (piece, place) = self.place(angle).ok_or_else(|| self.outside(angle))?;
+        let [drag, lift, moment] = [0, 1, 2].map(|curve| piece.errors_at(curve, place));
+        Ok(coefficients([drag, lift, moment]))
+    }
+
     /// How many of these angles are corners of straight lines, where the slope jumps.
     pub fn corners(&self, angles: &[f64]) -> usize {
         let is_linear = |piece: &Piece| matches!(piece.curves[0], Curve::Lines(_));
@@ -227,19 +256,64 @@ impl CoefficientCurves {
     }
 }
 
+/// C_D, C_L and C_M with their slopes per degree.
+fn coefficients([drag, lift, moment]: [(f64, f64); 3]) -> Coefficients {
+    let per_radian = |slope: f64| slope.to_degrees();
+    Coefficients {
+        drag: drag.0,
+        lift: lift.0,
+        moment: moment.0,
+        drag_slope: per_radian(drag.1),
+        lift_slope: per_radian(lift.1),
+        moment_slope: per_radian(moment.1),
+    }
+}
+
 impl Piece {
-    /// Curves through at least four rows.
-    fn new(rows: &[Row], interpolation: Interpolation, ends: Ends) -> Self {
+    /// Curves through, or near, at least four rows; `None` where they cannot be smoothed.
+    fn new(rows: &[Row], interpolation: Interpolation, ends: Ends) -> Option<Self> {
         let angles: Vec<f64> = rows.iter().map(|row| row.angle).collect();
+        let smoother = match interpolation {
+            Interpolation::Smooth => Some(Smoother::new(&angles, ends)?),
+            _ => None,
+        };
         let columns: [fn(&Row) -> f64; 3] = [|row| row.drag, |row| row.lift, |row| row.moment];
-        let curves = columns.map(|column| {
+        let smoothed = columns.map(|column| {
             let values: Vec<f64> = rows.iter().map(column).collect();
-            match interpolation {
-                Interpolation::Linear => Curve::Lines(values),
-                Interpolation::Cubic => Curve::Spline(CubicSpline::new(&angles, &values, ends)),
+            match &smoother {
+                None => (values, 0.0),
+                Some(own) => {
+                    let found = own.smoothed(&values);
+                    (found.values, found.smoothness)
+                }
             }
         });
-        Piece { angles, curves }
+        let is_linear = interpolation == Interpolation::Linear;
+        let through = |values: &[f64]| match is_linear {
+            true => Curve::Lines(values.to_vec()),
+            false => Curve::Spline(CubicSpline::new(&angles, values, ends)),
+        };
+        let errors = [0, 1, 2].map(|column| rows.iter().map(|row| row.errors[column]).collect());
+        let influences = match rows.iter().any(|row| row.errors != [0.0; 3]) {
+            true => influences(rows.len(), ends, smoother.as_ref(), &smoothed, through),
+            false => Default::default(),
+        };
+        Some(Piece {
+            curves: smoothed.each_ref().map(|(values, _)| through(values)),
+            angles,
+            errors,
+            influences,
+        })
+    }
+
+    /// How far value and slope of a curve may be off.
+    fn errors_at(&self, column: usize, place: f64) -> (f64, f64) {
+        let curves = self.influences.get(column).or(self.influences.first());
+        let rows = curves.into_iter().flatten().zip(&self.errors[column]);
+        rows.fold((0.0, 0.0), |(value, slope), (curve, error)| {
+            let own = self.at_curve(curve, place);
+            (value + own.0.abs() * error, slope + own.1.abs() * error)
+        })
     }
 
     fn first(&self) -> f64 {
@@ -252,7 +326,11 @@ impl Piece {
 
     /// A curve and its slope per degree.
     fn at(&self, curve: usize, place: f64) -> (f64, f64) {
-        match &self.curves[curve] {
+        self.at_curve(&self.curves[curve], place)
+    }
+
+    fn at_curve(&self, curve: &Curve, place: f64) -> (f64, f64) {
+        match curve {
             Curve::Spline(spline) => spline.at(place),
             Curve::Lines(values) => {
                 let i = cell(&self.angles, place);
@@ -261,6 +339,42 @@ impl Piece {
                 (values[i] + slope * (place - self.angles[i]), slope)
             }
         }
+    }
+}
+
+/// The curves of rows of which one is 1 and the others are 0.
+fn influences(
+    count: usize,
+    ends: Ends,
+    smoother: Option<&Smoother>,
+    smoothed: &[(Vec<f64>, f64); 3],
+    through: impl Fn(&[f64]) -> Curve,
+) -> Vec<Vec<Curve>> {
+    let of_weights = |weights: &dyn Fn(usize, usize) -> f64, free: usize| -> Vec<Curve> {
+        let one = |row: usize| {
+            let values: Vec<f64> = (0..count).map(|own| weights(own % free, row)).collect();
+            through(&values)
+        };
+        (0..free).map(one).collect()
+    };
+    // The last row of a whole circle is the first again.
+    let free = if ends == Ends::Periodic {
+        count - 1
+    } else {
+        count
+    };
+    match smoother {
+        None => vec![of_weights(
+            &|own, row| f64::from(u8::from(own == row)),
+            free,
+        )],
+        Some(smoother) => smoothed
+            .iter()
+            .map(|(_, smoothness)| {
+                let weights = smoother.weights(*smoothness);
+                of_weights(&|own, row| weights[own][row], free)
+            })
+            .collect(),
     }
 }
 

@@ -229,7 +229,7 @@ struct Sections {
 
 impl Sections {
     fn of(case: &Case, table: &CoefficientTable) -> Result<Self, InputError> {
-        let curves = CoefficientCurves::new(table, case.interpolation);
+        let curves = CoefficientCurves::new(table, case.interpolation)?;
         let section = |angle: f64| -> Result<(f64, Parameters), InputError> {
             let coefficients: Coefficients = curves.at(angle).map_err(|outside| {
                 let help = "shorten the sweep of the case, or complete the table";

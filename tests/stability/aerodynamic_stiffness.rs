@@ -46,7 +46,7 @@ fn forces(p: &Parameters, c: Coefficients) -> Vector3<f64> {
 fn it_is_what_the_forces_of_a_table_lose_by_a_turn() {
     for turn in ["\"section\"", "\"wind\""] {
         let (case, table) = shipped_case("detuned.toml", &[ON, ("\"section\"", turn)]);
-        let curves = CoefficientCurves::new(&table, case.interpolation);
+        let curves = CoefficientCurves::new(&table, case.interpolation).expect("curves");
         for angle in [3.0, 47.0, 100.0, 161.0] {
             let coefficients = |turned: f64| curves.at(angle + turned).expect("in the table");
             let section = case.section(angle, coefficients(0.0)).expect("a section");

@@ -266,7 +266,9 @@ fn the_offset_of_the_case_gives_its_modes() {
     let (case, table) = shipped_case("detuned.toml", &[("step = 0.5", "step = 10")]);
     let comparison = compare(&case, &table).expect("an answer");
     let e = case.parameters.mass_centre_distance / case.parameters.radius_of_gyration;
-    let coefficients = CoefficientCurves::new(&table, case.interpolation).at(130.0);
+    let coefficients = CoefficientCurves::new(&table, case.interpolation)
+        .expect("curves")
+        .at(130.0);
     let offsets = against_offset(
         &case,
         coefficients.expect("in the table"),

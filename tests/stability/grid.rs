@@ -40,7 +40,7 @@ fn axes(varied: &[(&str, f64, f64, usize)]) -> Vec<Axis> {
 /// The sections of a grid of one axis and the angle, one by one: what is varied is set in the text of the case.
 fn alone(name: &str, key: &str, values: &[f64], angles: &[f64]) -> Vec<Section> {
     let (case, table) = case(name);
-    let curves = CoefficientCurves::new(&table, case.interpolation);
+    let curves = CoefficientCurves::new(&table, case.interpolation).expect("curves");
     let text = std::fs::read_to_string(
         std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
             .join("derivations/cases")

@@ -92,7 +92,8 @@ fn circle(step: usize, last: usize) -> CoefficientTable {
 #[test]
 fn the_circle_is_closed_with_and_without_its_last_angle() {
     for last in [350, 360] {
-        let curves = CoefficientCurves::new(&circle(10, last), Interpolation::Cubic);
+        let curves =
+            CoefficientCurves::new(&circle(10, last), Interpolation::Cubic).expect("curves");
         for angle in [-725.0, -3.0, 0.0, 5.0, 355.0, 359.9, 363.0, 1000.0_f64] {
             let at = curves.at(angle).expect("on the circle");
             let (sin, cos) = angle.to_radians().sin_cos();
@@ -110,7 +111,7 @@ fn the_circle_is_closed_with_and_without_its_last_angle() {
 
 #[test]
 fn straight_lines_have_the_slope_of_their_cell() {
-    let curves = CoefficientCurves::new(&circle(90, 270), Interpolation::Linear);
+    let curves = CoefficientCurves::new(&circle(90, 270), Interpolation::Linear).expect("curves");
     let slope = 2.0 / std::f64::consts::PI;
     for (angle, value, derivative) in [
         (0.0, 0.0, slope),
@@ -130,7 +131,7 @@ fn straight_lines_have_the_slope_of_their_cell() {
 
 #[test]
 fn what_is_outside_of_the_table_is_refused() {
-    let curves = CoefficientCurves::new(&circle(2, 180), Interpolation::Cubic);
+    let curves = CoefficientCurves::new(&circle(2, 180), Interpolation::Cubic).expect("curves");
     for angle in [-0.1, 180.1, f64::NAN] {
         let error = curves.at(angle).expect_err("outside");
         assert!(
@@ -158,7 +159,7 @@ fn steps(from: i32, to: i32, step: usize) -> Vec<f64> {
 fn nothing_is_drawn_across_a_hole() {
     let angles = [steps(0, 90, 2), steps(270, 358, 2)].concat();
     for interpolation in [Interpolation::Linear, Interpolation::Cubic] {
-        let curves = CoefficientCurves::new(&at_angles(&angles), interpolation);
+        let curves = CoefficientCurves::new(&at_angles(&angles), interpolation).expect("curves");
         // The part from 270° over 0° to 90° is one curve.
         for angle in [270.0, 300.5, 359.0, 0.0, 1.0, 90.0, -1.0, 450.0_f64] {
             let at = curves.at(angle).expect("in the table");
@@ -173,7 +174,7 @@ fn nothing_is_drawn_across_a_hole() {
     }
     // Both parts of half a circle end at the hole, and beyond its ends there is nothing.
     let angles = [steps(0, 60, 2), steps(120, 180, 2)].concat();
-    let curves = CoefficientCurves::new(&at_angles(&angles), Interpolation::Cubic);
+    let curves = CoefficientCurves::new(&at_angles(&angles), Interpolation::Cubic).expect("curves");
     for angle in [0.0, 60.0, 120.0, 180.0] {
         assert!(curves.at(angle).is_ok(), "{angle}");
     }
@@ -183,13 +184,14 @@ fn nothing_is_drawn_across_a_hole() {
     assert_eq!((error.is_in_hole, error.reach), (false, [0.0, 180.0]));
     // Two holes, and too few rows between them for a curve; a hole next to the last row.
     let angles = [steps(0, 60, 2), vec![120.0, 122.0], steps(180, 330, 2)].concat();
-    let curves = CoefficientCurves::new(&at_angles(&angles), Interpolation::Linear);
+    let curves =
+        CoefficientCurves::new(&at_angles(&angles), Interpolation::Linear).expect("curves");
     let error = curves.at(121.0).expect_err("alone");
     assert_eq!((error.is_in_hole, error.reach), (true, [60.0, 180.0]));
     let far = curves.at(200.0).expect("in the table").lift;
     assert!((far - 200_f64.to_radians().sin()).abs() < 1e-12);
     let angles = [vec![0.0], steps(60, 360, 3)].concat();
-    let curves = CoefficientCurves::new(&at_angles(&angles), Interpolation::Cubic);
+    let curves = CoefficientCurves::new(&at_angles(&angles), Interpolation::Cubic).expect("curves");
     assert!(curves.at(0.0).is_ok() && curves.at(30.0).is_err() && curves.at(60.0).is_ok());
 }
 
@@ -197,16 +199,18 @@ fn nothing_is_drawn_across_a_hole() {
 fn ends_that_were_rounded_are_one_angle() {
     let inner = steps(-175, 175, 5);
     let exact = [vec![-180.0], inner.clone(), vec![180.0]].concat();
-    let exact = CoefficientCurves::new(&at_angles(&exact), Interpolation::Cubic);
+    let exact = CoefficientCurves::new(&at_angles(&exact), Interpolation::Cubic).expect("curves");
     for end in [179.99985, 180.0002] {
         let rounded = [vec![-end], inner.clone(), vec![end]].concat();
         for interpolation in [Interpolation::Linear, Interpolation::Cubic] {
-            let curves = CoefficientCurves::new(&at_angles(&rounded), interpolation);
+            let curves =
+                CoefficientCurves::new(&at_angles(&rounded), interpolation).expect("curves");
             let at = curves.at(180.0).expect("on the circle");
             // sin of the last row is that of the angle that is written.
             assert!((at.lift_slope + 1.0).abs() < 2e-3, "{end}: {at:?}");
         }
-        let curves = CoefficientCurves::new(&at_angles(&rounded), Interpolation::Cubic);
+        let curves =
+            CoefficientCurves::new(&at_angles(&rounded), Interpolation::Cubic).expect("curves");
         for angle in [177.5, 179.9, 180.0, -179.9, 182.0] {
             let (own, expected) = (curves.at(angle).expect("in"), exact.at(angle).expect("in"));
             assert!(
@@ -227,10 +231,75 @@ fn every_coefficient_has_a_scale_of_its_own() {
     let text = "alpha_deg,CL,CD,CM\n".to_string() + &rows.collect::<String>();
     let table = CoefficientTable::read("jump.csv", &text).expect("a table");
     assert!(table.has_a_jump_at_its_end());
-    let curves = CoefficientCurves::new(&table, Interpolation::Cubic);
+    let curves = CoefficientCurves::new(&table, Interpolation::Cubic).expect("curves");
     for angle in [0.5, 180.0, 356.5, 359.9] {
         let slope = curves.at(angle).expect("in the table").moment_slope;
         let expected = 0.001 / std::f64::consts::TAU;
         assert!((slope - expected).abs() < 1e-9, "{slope} at {angle}");
     }
+}
+
+/// A wave with a slope of at most 1 per radian, and what scatters about it.
+fn scattered(count: usize, scatter: &[f64], error: f64) -> CoefficientTable {
+    let rows = (0..count).map(|row| {
+        let angle = 360.0 * row as f64 / (count - 1) as f64;
+        let wave = |phase: f64, own: usize| {
+            (angle.to_radians() + phase).sin() + scatter[(3 * row + own) % scatter.len()]
+        };
+        let [lift, drag, moment] = [wave(0.0, 0), wave(1.0, 1), wave(2.0, 2)];
+        format!("{angle},{lift},{drag},{moment},{error}")
+    });
+    let heading = "alpha_deg,CL,CD,CM,CL_error".to_string();
+    let text: Vec<String> = std::iter::once(heading).chain(rows).collect();
+    CoefficientTable::read("scattered.csv", &text.join("\n")).expect("a table")
+}
+
+proptest! {
+    /// No curve through rows within their errors leaves the errors of the curve.
+    #[test]
+    fn curves_stay_within_their_errors(
+        scatter in prop::collection::vec(-0.05..0.05_f64, 111),
+        angle in 0.0..360.0_f64,
+        interpolation in prop::sample::select(vec![Interpolation::Linear, Interpolation::Cubic]),
+    ) {
+        let error = 0.05;
+        let clean = scattered(37, &[0.0], error);
+        let curves = |table: &CoefficientTable| CoefficientCurves::new(table, interpolation).expect("curves");
+        let (clean, other) = (curves(&clean), curves(&scattered(37, &scatter, 0.0)));
+        let (one, two) = (clean.at(angle).unwrap(), other.at(angle).unwrap());
+        let errors = clean.errors_at(angle).unwrap();
+        prop_assert!((one.lift - two.lift).abs() <= errors.lift * (1.0 + 1e-9) + 1e-12);
+        prop_assert!((one.lift_slope - two.lift_slope).abs() <= errors.lift_slope * (1.0 + 1e-9) + 1e-12);
+        prop_assert!(errors.lift >= error * 0.99 && errors.lift_slope > errors.lift);
+        prop_assert_eq!([errors.drag, errors.moment_slope], [0.0, 0.0]);
+    }
+}
+
+#[test]
+fn what_scatters_is_smoothed() {
+    // Steps of 5°, and numbers that look random.
+    let scatter: Vec<f64> = (0..219)
+        .map(|own: u32| 0.05 * f64::from(own * own * 7_919 % 211) / 105.0 - 0.05)
+        .collect();
+    let table = scattered(73, &scatter, 0.0);
+    let worst = |interpolation| {
+        let curves = CoefficientCurves::new(&table, interpolation).expect("curves");
+        let off = |step: u32| {
+            let angle = f64::from(step) / 2.0;
+            (curves.at(angle).unwrap().lift_slope - angle.to_radians().cos()).abs()
+        };
+        (0..720).map(off).fold(0.0, f64::max)
+    };
+    let (through, near) = (worst(Interpolation::Cubic), worst(Interpolation::Smooth));
+    assert!(near < 0.2 && through > 5.0 * near, "{near}, {through}");
+}
+
+#[test]
+fn more_rows_than_can_be_smoothed_are_refused() {
+    let table = scattered(1_100, &[0.0], 0.0);
+    let error = CoefficientCurves::new(&table, Interpolation::Smooth).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "scattered.csv: 1100 rows are not smoothed: `interpolation = \"cubic\"` goes through all of them; at most 1000 are smoothed"
+    );
 }

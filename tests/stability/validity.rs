@@ -34,7 +34,7 @@ fn departure(
     of: impl Fn(&Point) -> &Estimate,
 ) -> Departure {
     let case = &comparison.case;
-    let curves = CoefficientCurves::new(table, case.interpolation);
+    let curves = CoefficientCurves::new(table, case.interpolation).expect("curves");
     let mut found = Departure {
         error: 0.0,
         angle: comparison.points[0].angle,

@@ -24,6 +24,19 @@ pub(super) struct File {
     aerodynamic_stiffness: bool,
     pub(super) alpha_deg: Option<Steps>,
     pub(super) turn: Option<Turn>,
+    pub(super) errors: Option<Errors>,
+}
+
+/// How far the coefficients of the table may be off.
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Errors {
+    #[serde(default, rename = "CD")]
+    pub(super) drag: f64,
+    #[serde(default, rename = "CL")]
+    pub(super) lift: f64,
+    #[serde(default, rename = "CM")]
+    pub(super) moment: f64,
 }
 
 #[derive(Default, Deserialize)]
@@ -52,6 +65,7 @@ impl File {
         match key {
             "coefficients" => self.coefficients = Deserialize::deserialize(value)?,
             "interpolation" => self.interpolation = Deserialize::deserialize(value)?,
+            "errors" => self.errors = Deserialize::deserialize(value)?,
             "free" => self.free = Deserialize::deserialize(value)?,
             "aerodynamic_stiffness" => {
                 self.aerodynamic_stiffness = Deserialize::deserialize(value)?;

@@ -19,9 +19,14 @@ pub(super) const SWEEP: &str =
 const STEPS: [&str; 3] = ["from", "to", "step"];
 
 /// The keys that are no quantities.
-const OTHERS: [Key; 6] = [
+const OTHERS: [Key; 7] = [
     Key::new("section", "coefficients", Some("the file of the table")),
-    Key::new("section", "interpolation", Some("\"cubic\" or \"linear\"")),
+    Key::new(
+        "section",
+        "interpolation",
+        Some("\"cubic\", \"linear\" or, for what was measured, \"smooth\""),
+    ),
+    Key::new("section", "errors", None),
     Key::new("structure", "free", None),
     Key::new("wind", "aerodynamic_stiffness", None),
     Key::new(

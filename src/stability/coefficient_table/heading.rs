@@ -14,6 +14,8 @@ pub(super) enum Meaning {
     Moment,
     /// A derivative by the angle: `dCL`, `dCD` or `dCM`.
     Slope(&'static str),
+    /// How far a coefficient may be from what is measured: `CL_error`, `CD_error` or `CM_error`.
+    Error(&'static str),
 }
 
 /// The unit of angles.
@@ -43,7 +45,7 @@ impl Unit {
 }
 
 /// The usual names, without blanks, signs and units.
-const NAMES: [(Meaning, &[&str]); 7] = [
+const NAMES: [(Meaning, &[&str]); 10] = [
     (
         Meaning::Angle,
         &[
@@ -66,10 +68,54 @@ const NAMES: [(Meaning, &[&str]); 7] = [
     (Meaning::Slope("dCL"), &["dcl", "dcldalpha", "dcldα"]),
     (Meaning::Slope("dCD"), &["dcd", "dcddalpha", "dcddα"]),
     (Meaning::Slope("dCM"), &["dcm", "dcmdalpha", "dcmdα"]),
+    (
+        Meaning::Error("CL_error"),
+        &[
+            "clerror",
+            "clerr",
+            "errorcl",
+            "errcl",
+            "δcl",
+            "cluncertainty",
+        ],
+    ),
+    (
+        Meaning::Error("CD_error"),
+        &[
+            "cderror",
+            "cderr",
+            "errorcd",
+            "errcd",
+            "δcd",
+            "cduncertainty",
+        ],
+    ),
+    (
+        Meaning::Error("CM_error"),
+        &[
+            "cmerror",
+            "cmerr",
+            "errorcm",
+            "errcm",
+            "δcm",
+            "cmuncertainty",
+        ],
+    ),
 ];
 
 /// The columns as they are best written, for messages.
-const COLUMNS: [&str; 7] = ["alpha_deg", "CL", "CD", "CM", "dCL", "dCD", "dCM"];
+const COLUMNS: [&str; 10] = [
+    "alpha_deg",
+    "CL",
+    "CD",
+    "CM",
+    "dCL",
+    "dCD",
+    "dCM",
+    "CD_error",
+    "CL_error",
+    "CM_error",
+];
 
 /// What must be there.
 const NEEDED: [(Meaning, &str); 4] = [
@@ -132,6 +178,8 @@ pub(super) struct Columns {
     /// The angle, CL, CD, CM.
     pub places: [usize; 4],
     pub slopes: Vec<(&'static str, usize)>,
+    /// The errors of CD, CL and CM, as far as they are given.
+    pub errors: [Option<usize>; 3],
     /// What is said of the unit of the angle.
     pub unit: Option<Unit>,
     /// What is not used.
@@ -160,8 +208,12 @@ impl Columns {
             *own = find(wanted)?.ok_or_else(|| missing(place, heading, name))?;
         }
         let mut slopes = Vec::new();
-        for name in &COLUMNS[4..] {
+        for name in &COLUMNS[4..7] {
             slopes.extend(find(Meaning::Slope(name))?.map(|own| (*name, own)));
+        }
+        let mut errors = [None; 3];
+        for (own, name) in errors.iter_mut().zip(&COLUMNS[7..]) {
+            *own = find(Meaning::Error(name))?;
         }
         let is_other = |own: &usize| meanings[*own].is_none() && !heading[*own].is_empty();
         let others = (0..heading.len()).filter(is_other);
@@ -169,6 +221,7 @@ impl Columns {
             count: heading.len(),
             places,
             slopes,
+            errors,
             unit: meanings[places[0]].and_then(|(_, unit)| unit),
             others: others.map(|own| heading[own].clone()).collect(),
         })
