@@ -38,6 +38,7 @@ mod neutral;
 pub mod offset;
 pub mod quantity;
 mod recorded;
+pub mod roots;
 pub mod section;
 pub mod sensitivity;
 mod shape;
