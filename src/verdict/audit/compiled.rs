@@ -2,7 +2,7 @@
 
 use crate::language::diagnostic::{Diagnostic, DiagnosticKind, nearest};
 use crate::language::evaluator::{Evaluator, Output};
-use crate::language::syntax::{Approximated, Name, Quantities, Span, Statement};
+use crate::language::syntax::{Approximated, Name, Quantities, Span, Spanned, Statement};
 use crate::language::system::System;
 use crate::language::unit::Unit;
 
@@ -55,25 +55,31 @@ impl Reader<'_> {
         })
     }
 
-    /// An evaluator must have as many outputs as the system has numbers that they are close to.
+    fn system_named(&self, name: &Spanned<Name>) -> Result<&System, Diagnostic> {
+        let mut systems = self.systems.iter();
+        if let Some(system) = systems.find(|own| own.name == name.value) {
+            return Ok(system);
+        }
+        let names = self.systems.iter().map(|own| own.name.unicode.as_str());
+        let help = match nearest(&name.value.unicode, names) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => "declare it above with `system`".to_string(),
+        };
+        let message = format!("there is no system `{}` yet", name.value);
+        let kind = DiagnosticKind::UnknownName;
+        Err(Diagnostic::new(kind, name.span.clone(), message)
+            .with_label("unknown system")
+            .with_help(help))
+    }
+
+    /// An evaluator must have as many outputs as the system has numbers that they are close to, or as a polynomial
+    /// with such roots has coefficients, in their units.
     fn check_approximated(
         &mut self,
         evaluator: &Evaluator,
         approximated: &Approximated,
     ) -> Result<(), Diagnostic> {
-        let name = &approximated.system;
-        let Some(system) = self.systems.iter().find(|own| own.name == name.value) else {
-            let names = self.systems.iter().map(|own| own.name.unicode.as_str());
-            let help = match nearest(&name.value.unicode, names) {
-                Some(near) => format!("did you mean `{near}`?"),
-                None => "declare it above with `system`".to_string(),
-            };
-            let message = format!("there is no system `{}` yet", name.value);
-            let kind = DiagnosticKind::UnknownName;
-            return Err(Diagnostic::new(kind, name.span.clone(), message)
-                .with_label("unknown system")
-                .with_help(help));
-        };
+        let system = self.system_named(&approximated.system)?;
         let count = system.coordinates.len();
         let wanted = match (approximated.by_roots, approximated.quantities) {
             (false, Quantities::RealParts) => count,
@@ -86,12 +92,8 @@ impl Reader<'_> {
             units.extend(entries.map(|entry| (output, entry.unit.clone())));
         }
         if units.len() != wanted {
-            return Err(outputs_do_not_fit(
-                evaluator,
-                approximated,
-                units.len(),
-                wanted,
-            ));
+            let found = units.len();
+            return Err(outputs_do_not_fit(evaluator, approximated, found, wanted));
         }
         match approximated.by_roots {
             true => require_coefficients(&units),
