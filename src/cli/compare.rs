@@ -49,7 +49,11 @@ const EXAMPLES: &str = "\
 In a document:
   system (3) bridge: mass M damping C stiffness K in h, a
   evaluator (7) formula: r_1 = f, r_2 = g approximates real parts of bridge
+  evaluator (8) quadratic: c = [p; q], d = [s; t] approximates real parts of bridge by roots
   domain m = [1, 50], U = [1, 40]
+
+By roots, the outputs are the coefficients of a polynomial whose roots stand for the eigenvalues, here
+z² + (p + i s) z + (q + i t): all real parts, that of the highest power first, then all imaginary parts.
 
 Errors are distances over the largest number of the system: of all real parts, where real parts are
 approximated. A form is wrong about stability where the sign of its largest real part is, and the
@@ -127,6 +131,7 @@ fn compare(
     let compared = ClosedForm {
         evaluator: &form,
         approximated,
+        by_roots: stated.by_roots,
         system: &system,
         domain: &domain,
     };
@@ -142,6 +147,7 @@ fn compare(
         form: name,
         system: meant.name.ascii.clone(),
         approximated,
+        by_roots: stated.by_roots,
         domain: in_words(&compared.names(), &domain),
         closeness,
     })

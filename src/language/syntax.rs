@@ -355,7 +355,7 @@ pub enum StatementKind {
         name: Spanned<Name>,
         /// What it computes.
         body: EvaluatorBody,
-        /// What that is close to: `approximates real parts of section at tuned`.
+        /// What that is close to: `approximates real parts of section at tuned by roots`.
         approximated: Option<Approximated>,
         /// Where that means something: `where L_g > 0`.
         conditions: Vec<Relation>,
@@ -430,6 +430,9 @@ pub struct Approximated {
     pub system: Spanned<Name>,
     /// What is replaced in the system.
     pub place: Option<Place>,
+    /// Whether the outputs are no such numbers but the coefficients of a polynomial whose roots are: monic, with
+    /// the real parts from the power n − 1 down to 0, and then as many imaginary parts.
+    pub by_roots: bool,
 }
 
 /// Numbers that a system has.

@@ -91,7 +91,7 @@ impl Cursor<'_> {
         Ok(self.place()?.0)
     }
 
-    /// `approximates real parts of section at tuned`, if it stands here.
+    /// `approximates real parts of section at tuned by roots`, if it stands here.
     pub(super) fn approximated(&mut self) -> Parsed<Option<Approximated>> {
         if !self.accept_word("approximates") {
             return Ok(None);
@@ -110,10 +110,15 @@ impl Cursor<'_> {
             true => Some(self.place()?.0),
             false => None,
         };
+        let by_roots = self.accept_word("by");
+        if by_roots {
+            self.expect_word("roots")?;
+        }
         Ok(Some(Approximated {
             quantities,
             system,
             place,
+            by_roots,
         }))
     }
 }

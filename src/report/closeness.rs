@@ -13,6 +13,8 @@ pub struct FormCompared {
     pub system: String,
     /// What the outputs of the evaluator stand for.
     pub approximated: Approximated,
+    /// Whether they are the coefficients of a polynomial whose roots do.
+    pub by_roots: bool,
     /// The intervals that the points are drawn from, in words.
     pub domain: String,
     /// How far it is.

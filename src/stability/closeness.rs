@@ -12,6 +12,7 @@ use sextic_codegen::rounding::Interval;
 
 use crate::algebra::number::{Integer, Rational};
 
+use super::roots::roots;
 use super::system::System;
 use super::system::error::SystemError;
 use super::system::instance::Instance;
@@ -33,6 +34,9 @@ pub struct ClosedForm<'a> {
     pub evaluator: &'a Evaluator,
     /// What that stands for.
     pub approximated: Approximated,
+    /// Whether the outputs are the coefficients of a monic polynomial whose roots do: the real parts from the power
+    /// n − 1 down to 0, and then as many imaginary parts.
+    pub by_roots: bool,
     /// The system.
     pub system: &'a System,
     /// Where quantities are drawn from, by name; an angle without an interval is drawn from all around the circle.
@@ -166,15 +170,10 @@ impl ClosedForm<'_> {
         let pairs = spectrum.eigenvalues.iter().filter(|own| own.value.im > 0.0);
         let mut exact: Vec<Complex<f64>> = pairs.map(|own| own.value).collect();
         let count = self.system.coordinates.len();
-        let mut form: Vec<Complex<f64>> = match self.approximated {
-            Approximated::RealParts => outputs.iter().map(|own| Complex::from(*own)).collect(),
-            Approximated::Eigenvalues => {
-                let pairs = outputs[..count].iter().zip(&outputs[count..]);
-                pairs.map(|(re, im)| Complex::new(*re, *im)).collect()
-            }
-        };
+        let mut form = self.numbers(outputs)?;
         if self.approximated == Approximated::RealParts {
-            exact.iter_mut().for_each(|own| own.im = 0.0);
+            let numbers = form.iter_mut().chain(&mut exact);
+            numbers.for_each(|own| own.im = 0.0);
         }
         let largest = form
             .iter()
@@ -186,6 +185,20 @@ impl ClosedForm<'_> {
             is_overdamped,
             is_wrong: is_wrong(largest, instance.verdict()),
         })
+    }
+
+    /// What outputs stand for; `None` where a polynomial has no roots that are found.
+    fn numbers(&self, outputs: &[f64]) -> Option<Vec<Complex<f64>>> {
+        if !self.by_roots && self.approximated == Approximated::RealParts {
+            return Some(outputs.iter().map(|own| Complex::from(*own)).collect());
+        }
+        let (real, imaginary) = outputs.split_at(outputs.len() / 2);
+        let pairs = real.iter().zip(imaginary);
+        let numbers: Vec<_> = pairs.map(|(re, im)| Complex::new(*re, *im)).collect();
+        match self.by_roots {
+            true => roots(&numbers),
+            false => Some(numbers),
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The characteristic polynomial and its roots: the textbook's way, with its loss of digits stated.
 
-use nalgebra::DMatrix;
+use nalgebra::{ComplexField, DMatrix};
 use num_complex::Complex;
 use polynomial::Polynomial;
 use sextic_evaluators::characteristic_polynomial::characteristic_polynomial as evaluated;
@@ -51,16 +51,16 @@ fn monic(coefficients: &[Ball; 7], freedom: usize) -> Polynomial<f64> {
 
 /// The companion matrix of a monic polynomial z^N + c_{N−1} z^{N−1} + … + c_0, N×N: ones below the
 /// diagonal, −c_0 to −c_{N−1} down the last column. Its eigenvalues are the roots.
-pub fn companion_matrix(polynomial: &Polynomial<f64>) -> DMatrix<f64> {
+pub fn companion_matrix<T: ComplexField>(polynomial: &Polynomial<T>) -> DMatrix<T> {
     let coefficients = polynomial.data();
     let degree = coefficients.len().saturating_sub(1);
     DMatrix::from_fn(degree, degree, |row, column| {
         if column + 1 == degree {
-            -coefficients[row]
+            -coefficients[row].clone()
         } else if row == column + 1 {
-            1.0
+            T::one()
         } else {
-            0.0
+            T::zero()
         }
     })
 }

@@ -40,6 +40,7 @@ pub mod offset;
 mod parameters;
 pub mod quantity;
 mod recorded;
+pub mod roots;
 pub mod section;
 pub mod sensitivity;
 mod shape;

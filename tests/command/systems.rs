@@ -338,7 +338,7 @@ fn closed_forms_are_compared_with_their_systems() {
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.bind(|| {
-        for document in ["he-macdonald-2017", "two-degrees"] {
+        for document in ["he-macdonald-2017", "uniform", "two-degrees"] {
             let path = format!("derivations/{document}.md");
             let (status, out, err) = run(&["compare", &path, "--points", "200"]);
             assert_eq!((status, err.as_str()), (Some(0), ""));
@@ -366,6 +366,33 @@ fn a_form_that_is_exact_is_told_from_one_that_is_wrong() {
     assert_eq!(wrong["errors"]["median"], 2.0, "{wrong}");
     assert_eq!(wrong["wrong_signs"], 50);
     assert!(wrong["first_wrong"].is_object());
+}
+
+/// The roots of a polynomial stand for numbers of a system.
+#[test]
+fn a_polynomial_is_compared_by_its_roots() {
+    let path = "tests/data/systems/roots.md";
+    let found = json(&["compare", path, "--points", "50"]);
+    for (place, (name, approximates, error, wrong_signs)) in [
+        ("known", "eigenvalues", 0.0, 0),
+        ("known_parts", "real parts", 0.0, 0),
+        ("shifted", "real parts", 0.0, 0),
+        // Conjugates are twice an imaginary part apart, and that is nearly the eigenvalue.
+        ("lower", "eigenvalues", 2.0, 0),
+        ("growing", "real parts", 2.0, 50),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let form = &found["forms"][place];
+        assert_eq!(form["evaluator"], name);
+        assert_eq!(form["approximates"], approximates);
+        assert_eq!(form["by_roots"], true);
+        assert_eq!(form["wrong_signs"], wrong_signs, "{form}");
+        let largest = form["errors"]["largest"].as_f64().expect("an error");
+        let bound = if error == 0.0 { 1e-13 } else { 0.5 };
+        assert!((largest - error).abs() < bound, "{form}");
+    }
 }
 
 #[test]

@@ -115,10 +115,11 @@ fn summary(statement: &Statement) -> String {
         } => {
             let approximated = approximated.as_ref().map(|own| {
                 format!(
-                    " approximates {:?} of {}{}",
+                    " approximates {:?} of {}{}{}",
                     own.quantities,
                     own.system.value.ascii,
-                    own.place.as_ref().map_or("", |_| " at a place")
+                    own.place.as_ref().map_or("", |_| " at a place"),
+                    if own.by_roots { " by roots" } else { "" }
                 )
             });
             let conditions: Vec<String> = conditions
@@ -279,6 +280,10 @@ fn every_form_says_what_it_says() {
         (
             "evaluator (21) f: r = a, s = b approximates real parts of section at (x = 1) where a > 0",
             r#"evaluator 21/Some("21")/21 | f | r = a, s = b approximates RealParts of section at a place where a > 0 | None"#,
+        ),
+        (
+            "evaluator (21) f: r = a, s = b approximates real parts of section at p by roots where a > 0",
+            r#"evaluator 21/Some("21")/21 | f | r = a, s = b approximates RealParts of section at a place by roots where a > 0 | None"#,
         ),
         (
             "evaluator (21) f: e at p approximates eigenvalues of section",

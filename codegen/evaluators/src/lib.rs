@@ -16,12 +16,16 @@
 //! - The coefficients of the characteristic polynomial for wind along x, that of λ⁰ first, Eq. (19): [`characteristic_polynomial_along_x::characteristic_polynomial_along_x`]
 //! - The coefficients of the characteristic polynomial without structural damping, that of λ⁰ first, Eq. (19): [`characteristic_polynomial_undamped::characteristic_polynomial_undamped`]
 //! - The coefficients of the characteristic polynomial, that of λ⁰ first, Eq. (19): [`characteristic_polynomial::characteristic_polynomial`]
+//! - The coefficients of μ², μ and 1 of the characteristic cubic, real and imaginary parts, for perfect tuning and without structural damping, to first order in ρDU/(2mω_n) at every eccentricity; iω_n + μ are the eigenvalues; from the physical parameters: [`first_uniform_cubic_in_wind::first_uniform_cubic_in_wind`]
 //! - The coefficients of μ², μ and 1 of the characteristic cubic, real and imaginary parts, to first (second = 0) or second order (second = 1) in the damping; iν_2 + μ are the eigenvalues: [`uniform_cubic::uniform_cubic`]
+//! - The coefficients of μ², μ and 1 of the characteristic cubic, real and imaginary parts, to first order in the damping; iν_2 + μ are the eigenvalues: [`first_uniform_cubic::first_uniform_cubic`]
+//! - The coefficients of μ², μ and 1 of the characteristic cubic, real and imaginary parts, to second order in the damping; iν_2 + μ are the eigenvalues: [`second_uniform_cubic::second_uniform_cubic`]
 //! - The damping coefficient of a mode by the real part of its eigenvalue, Eq. (13): [`damping_coefficient::damping_coefficient`]
 //! - The eccentricity, and the damping of a unit of S_a over the frequency: what the closed forms take to be small: [`small_quantities::small_quantities`]
 //! - The mass, structural damping, aerodynamic damping and stiffness matrices of a section over its mass, for x, y and rθ: [`section_matrices::section_matrices`]
 //! - The real parts of the eigenvalues of the three modes (one above 0 gallops), for perfect tuning and without structural damping, to first order in ρDU/(2mω_n) where L_g/r is well above ρDU|S_a|/(2mω_n): elsewhere even the sign may be wrong, and the command stability checks it; from the physical parameters, Eqs. (21), (22), (23): [`closed_form_in_wind::closed_form_in_wind`]
 //! - The real parts of the eigenvalues of the three modes (one above 0 gallops), for perfect tuning and without structural damping, to first order in ρDU/(2mω_n) where L_g/r is well above ρDU|S_a|/(2mω_n): elsewhere even the sign may be wrong, and the command stability checks it; from the scaled damping matrix, Eqs. (21), (22), (23): [`closed_form::closed_form`]
+//! - The real parts of the eigenvalues of well separated modes, each with its own damping alone: [`separate_modes::separate_modes`]
 //! - The scaled aerodynamic damping matrix, Eq. (18): [`aerodynamic_damping::aerodynamic_damping`]
 //! - The three modes of a section, with a rigorous radius each, by an iteration: [`exact_modes::exact_modes`], and of many: [`exact_modes_batch::exact_modes_batch`]
 //! - What the forces of the wind on x, y and rθ add to the stiffness over the mass as they follow the turn rθ: [`turn_stiffness::turn_stiffness`]
@@ -62,6 +66,10 @@ pub mod closed_form_in_wind;
 #[rustfmt::skip]
 pub mod damping_coefficient;
 #[rustfmt::skip]
+pub mod first_uniform_cubic;
+#[rustfmt::skip]
+pub mod first_uniform_cubic_in_wind;
+#[rustfmt::skip]
 pub mod hurwitz_determinants;
 #[rustfmt::skip]
 pub mod matching_residuals;
@@ -72,7 +80,11 @@ pub mod modal_damping_in_wind;
 #[rustfmt::skip]
 pub mod no_wind_modes;
 #[rustfmt::skip]
+pub mod second_uniform_cubic;
+#[rustfmt::skip]
 pub mod section_matrices;
+#[rustfmt::skip]
+pub mod separate_modes;
 #[rustfmt::skip]
 pub mod shifted_determinant;
 #[rustfmt::skip]

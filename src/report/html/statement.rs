@@ -207,8 +207,13 @@ fn beside(approximated: &Approximated) -> String {
     let system = escape(&approximated.system.value.ascii);
     let place = approximated.place.as_ref();
     let place = place.map(|place| format!(" at {}", at(place)));
+    let roots = if approximated.by_roots {
+        " by roots"
+    } else {
+        ""
+    };
     format!(
-        "approximates {quantities} of {system}{}",
+        "approximates {quantities} of {system}{}{roots}",
         place.unwrap_or_default()
     )
 }

@@ -1,5 +1,5 @@
-//! `{"forms": [{"document", "evaluator", "system", "approximates", "domain", "points", "errors": {"median", "90",
-//! "99", "largest"}, "decided", "wrong_signs", "overdamped", "without_value", "worst", "first_wrong"}]}`
+//! `{"forms": [{"document", "evaluator", "system", "approximates", "by_roots", "domain", "points", "errors": {"median",
+//! "90", "99", "largest"}, "decided", "wrong_signs", "overdamped", "without_value", "worst", "first_wrong"}]}`
 
 use serde::Serialize;
 
@@ -20,6 +20,7 @@ struct Form<'a> {
     evaluator: &'a str,
     system: &'a str,
     approximates: &'a str,
+    by_roots: bool,
     domain: &'a str,
     points: usize,
     errors: Errors,
@@ -55,6 +56,7 @@ fn form(found: &FormCompared) -> Form<'_> {
         evaluator: &found.form,
         system: &found.system,
         approximates: found.quantities(),
+        by_roots: found.by_roots,
         domain: &found.domain,
         points: own.points,
         errors: Errors {

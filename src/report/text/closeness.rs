@@ -26,8 +26,9 @@ pub fn closeness(forms: &[FormCompared]) -> String {
 fn form(found: &FormCompared) -> String {
     let own = &found.closeness;
     let mut text = format!(
-        "{}: `{}` beside the {} of `{}`\n",
+        "{}: {}`{}` beside the {} of `{}`\n",
         found.document,
+        if found.by_roots { "the roots of " } else { "" },
         found.form,
         found.quantities(),
         found.system

@@ -2,7 +2,7 @@
 
 use crate::language::diagnostic::{Diagnostic, DiagnosticKind, nearest};
 use crate::language::evaluator::{Evaluator, Output};
-use crate::language::syntax::{Approximated, Name, Quantities, Span, Statement};
+use crate::language::syntax::{Approximated, Name, Quantities, Span, Spanned, Statement};
 use crate::language::system::System;
 use crate::language::unit::Unit;
 
@@ -55,47 +55,96 @@ impl Reader<'_> {
         })
     }
 
-    /// An evaluator must have as many outputs as the system has numbers that they are close to.
+    fn system_named(&self, name: &Spanned<Name>) -> Result<&System, Diagnostic> {
+        let mut systems = self.systems.iter();
+        if let Some(system) = systems.find(|own| own.name == name.value) {
+            return Ok(system);
+        }
+        let names = self.systems.iter().map(|own| own.name.unicode.as_str());
+        let help = match nearest(&name.value.unicode, names) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => "declare it above with `system`".to_string(),
+        };
+        let message = format!("there is no system `{}` yet", name.value);
+        let kind = DiagnosticKind::UnknownName;
+        Err(Diagnostic::new(kind, name.span.clone(), message)
+            .with_label("unknown system")
+            .with_help(help))
+    }
+
+    /// An evaluator must have as many outputs as the system has numbers that they are close to, or as a polynomial
+    /// with such roots has coefficients, in their units.
     fn check_approximated(
         &mut self,
         evaluator: &Evaluator,
         approximated: &Approximated,
     ) -> Result<(), Diagnostic> {
-        let name = &approximated.system;
-        let Some(system) = self.systems.iter().find(|own| own.name == name.value) else {
-            let names = self.systems.iter().map(|own| own.name.unicode.as_str());
-            let help = match nearest(&name.value.unicode, names) {
-                Some(near) => format!("did you mean `{near}`?"),
-                None => "declare it above with `system`".to_string(),
-            };
-            let message = format!("there is no system `{}` yet", name.value);
-            let kind = DiagnosticKind::UnknownName;
-            return Err(Diagnostic::new(kind, name.span.clone(), message)
-                .with_label("unknown system")
-                .with_help(help));
+        let system = self.system_named(&approximated.system)?;
+        let count = system.coordinates.len();
+        let wanted = match (approximated.by_roots, approximated.quantities) {
+            (false, Quantities::RealParts) => count,
+            (true, _) | (_, Quantities::Eigenvalues) => 2 * count,
         };
-        let wanted = match approximated.quantities {
-            Quantities::RealParts => system.coordinates.len(),
-            Quantities::Eigenvalues => 2 * system.coordinates.len(),
-        };
-        let mut found = 0;
+        let mut units = Vec::new();
         for output in &evaluator.outputs {
             let value = self.elaborator.value(&output.expression)?;
-            found += value.entries().len();
-            let mut units = value
-                .entries()
-                .iter()
-                .filter_map(|entry| entry.unit.as_ref());
-            if let Some(unit) = units.find(|unit| **unit != Unit::second().inverse()) {
-                return Err(no_rate(output, unit));
-            }
+            let entries = value.entries().iter();
+            units.extend(entries.map(|entry| (output, entry.unit.clone())));
         }
-        match found == wanted {
-            true => Ok(()),
-            false => Err(outputs_do_not_fit(evaluator, approximated, found, wanted)),
+        if units.len() != wanted {
+            let found = units.len();
+            return Err(outputs_do_not_fit(evaluator, approximated, found, wanted));
+        }
+        match approximated.by_roots {
+            true => require_coefficients(&units),
+            false => require_rates(&units),
         }
     }
 }
+
+/// The numbers of an evaluator, each with its output and, where it has one, its unit.
+type Units<'a> = [(&'a Output, Option<Unit>)];
+
+fn require_rates(units: &Units<'_>) -> Result<(), Diagnostic> {
+    let rate = Unit::second().inverse();
+    let known = units.iter();
+    let mut known = known.filter_map(|(output, unit)| Some((output, unit.as_ref()?)));
+    match known.find(|(_, unit)| **unit != rate) {
+        Some((output, unit)) => Err(no_rate(output, unit)),
+        None => Ok(()),
+    }
+}
+
+/// The k-th coefficient of each half must be in the unit of a rate to the power k.
+fn require_coefficients(units: &Units<'_>) -> Result<(), Diagnostic> {
+    let rate = Unit::second().inverse();
+    let degree = units.len() / 2;
+    for half in units.chunks(degree) {
+        let mut wanted = Unit::one();
+        for (place, (output, unit)) in half.iter().enumerate() {
+            wanted = wanted.product(&rate);
+            if let Some(unit) = unit.as_ref().filter(|unit| **unit != wanted) {
+                let power = degree - 1 - place;
+                return Err(no_coefficient(output, unit, &wanted, power));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn no_coefficient(output: &Output, unit: &Unit, wanted: &Unit, power: usize) -> Diagnostic {
+    let message = format!(
+        "roots are in 1/s, so the coefficient of power {power} is in {wanted}, and `{}` gives it in {unit}",
+        output.name
+    );
+    let span = output.expression.span.clone();
+    Diagnostic::new(DiagnosticKind::Unit, span, message)
+        .with_label("of another unit")
+        .with_help(COEFFICIENTS)
+}
+
+/// What is read where an evaluator approximates by roots.
+const COEFFICIENTS: &str = "give the coefficients below the leading 1, that of the highest power first: all real parts, and then all imaginary parts";
 
 fn no_rate(output: &Output, unit: &Unit) -> Diagnostic {
     let message = format!("eigenvalues are in 1/s, and `{}` is in {unit}", output.name);
@@ -117,6 +166,12 @@ fn outputs_do_not_fit(
     let (system, span) = (&approximated.system.value, &approximated.system.span);
     let name = &evaluator.name;
     let (message, help) = match approximated.quantities {
+        _ if approximated.by_roots => (
+            format!(
+                "a polynomial with a root for each coordinate of `{system}` has {wanted} real and imaginary parts of coefficients, and `{name}` has {found} outputs"
+            ),
+            COEFFICIENTS,
+        ),
         Quantities::RealParts => (
             format!(
                 "`{system}` has a pair of eigenvalues for each coordinate, so {wanted} in all, and `{name}` has outputs for {found}"
