@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::stability::comparison::{Comparison, angle};
+use crate::stability::comparison::{Cause, Comparison, angle};
 use crate::stability::system::critical::Ranges;
 use crate::stability::validity::{Form, Validity};
 
@@ -13,6 +13,8 @@ use super::stability::{bound, certain, decimal};
 /// A row an angle: S by every method, bounds of the errors, the verdict, the mode with the least damping, and S
 /// and the frequency in Hz of every mode. An empty cell is a method that does not apply, or a mode that is not
 /// there.
+///
+/// Where the coefficients have errors: what is certain for all within them, and between which numbers S is then.
 ///
 /// Numbers have the decimals that are certain, nine at most.
 pub fn comparison(comparison: &Comparison) -> String {
@@ -35,8 +37,13 @@ pub fn comparison(comparison: &Comparison) -> String {
         heading.push(format!("s_mode_{label}"));
         heading.push(format!("frequency_hz_mode_{label}"));
     }
+    let errors = comparison.within.as_ref();
+    let errors = errors.filter(|own| own.cause == Cause::Errors);
+    if errors.is_some() {
+        heading.extend(["within_errors", "s3d_least", "s3d_most"].map(String::from));
+    }
     let mut text = heading.join(",") + "\n";
-    for point in &comparison.points {
+    for (place, point) in comparison.points.iter().enumerate() {
         let critical = point.critical();
         let optional = |cell: Option<String>| cell.unwrap_or_default();
         let mut cells = vec![
@@ -55,6 +62,12 @@ pub fn comparison(comparison: &Comparison) -> String {
             let mode = point.mode(label);
             cells.push(optional(mode.map(|mode| certain(mode.damping))));
             cells.push(optional(mode.map(|mode| decimal(mode.frequency, 6))));
+        }
+        if let Some(within) = errors {
+            let own = within.tolerances[place];
+            cells.push(own.certainty.name().to_string());
+            let ends = [0, 1].map(|end: usize| own.damping.map(|ends| decimal(ends[end], 6)));
+            cells.extend(ends.map(optional));
         }
         text += &(cells.join(",") + "\n");
     }

@@ -4,8 +4,9 @@ use std::f64::consts::TAU;
 
 use crate::stability::case::Case;
 use crate::stability::comparison::{
-    Agreement, Comparison, FollowedMode, Point, Reason, Value, angle, listed,
+    Agreement, Cause, Comparison, FollowedMode, Point, Reason, Value, angle, listed,
 };
+use crate::stability::tolerance::Certainty;
 use crate::stability::verdict::Verdict;
 
 /// The most decimals of a damping coefficient; the sines of another machine may change later ones.
@@ -198,6 +199,30 @@ pub fn conclusion(comparison: &Comparison) -> String {
         }
     }
 }
+
+/// What is certain within the errors of the coefficients: what, and at which angles; nothing where no errors are given.
+pub fn within_errors(comparison: &Comparison) -> Vec<(&'static str, String)> {
+    let within = comparison.within.as_ref();
+    let Some(within) = within.filter(|own| own.cause == Cause::Errors) else {
+        return Vec::new();
+    };
+    let kinds = [
+        (Certainty::Stable, "stable for all"),
+        (Certainty::Unstable, "unstable for all"),
+        (Certainty::Depends, "depends on them"),
+        (Certainty::Open, "not decided"),
+    ];
+    let line = |(certainty, name): (Certainty, &'static str)| {
+        let ranges = within.ranges(&comparison.points, certainty);
+        let ranges: Vec<String> = ranges.iter().map(ToString::to_string).collect();
+        (!ranges.is_empty()).then(|| (name, ranges.join(", ")))
+    };
+    kinds.into_iter().filter_map(line).collect()
+}
+
+/// What [`within_errors`] is worth.
+pub const WITHIN: &str = "for all coefficients within their errors, with proof; it depends where two of them were found, \
+                          one stable and one not";
 
 /// How all verdicts are known.
 pub const PROOF: &str = "each verdict is proven, by bounds of the errors or in exact arithmetic";

@@ -1,9 +1,9 @@
 //! The stability of a case as a figure: S by every method against the angle.
 
 use crate::stability::case::Case;
-use crate::stability::comparison::{Comparison, Point};
+use crate::stability::comparison::{Cause, Comparison, Point};
 
-use super::figure::{Curve, Figure, Stroke};
+use super::figure::{Curve, Figure, Fill, Patch, Stroke};
 use super::stability::title;
 
 /// S against the angle of attack by the state matrix, the companion matrix, the closed forms and the uniform
@@ -43,12 +43,36 @@ pub fn figure(comparison: &Comparison) -> Figure {
         is_angle: true,
         y_label: format!("{symbol} = −4m max Re λ / (ρDU), dimensionless"),
         shaded: Some("unstable".into()),
+        patches: band(comparison).into_iter().collect(),
         curves: curves
             .into_iter()
             .filter(|curve| !curve.pieces.is_empty())
             .collect(),
         ..Figure::default()
     }
+}
+
+/// Where S lies within the errors of the coefficients, in pieces without a gap.
+fn band(comparison: &Comparison) -> Option<Patch> {
+    let within = comparison.within.as_ref();
+    let within = within.filter(|own| own.cause == Cause::Errors)?;
+    let ends = |place: usize| within.tolerances[place].damping;
+    let places: Vec<usize> = (0..comparison.points.len()).collect();
+    let runs = places.chunk_by(|one, other| ends(*one).is_some() == ends(*other).is_some());
+    let around = |run: &[usize]| -> Vec<(f64, f64)> {
+        let along = |side: usize| {
+            let corner =
+                move |place: &usize| Some((comparison.points[*place].angle, ends(*place)?[side]));
+            run.iter().filter_map(corner)
+        };
+        along(0).chain(along(1).rev()).collect()
+    };
+    let pieces: Vec<Vec<(f64, f64)>> = runs.map(around).filter(|own| own.len() > 2).collect();
+    (!pieces.is_empty()).then(|| Patch {
+        label: "within the errors of the coefficients".into(),
+        fill: Fill::Dark,
+        pieces,
+    })
 }
 
 /// The name of a case without its folder.

@@ -11,6 +11,7 @@ use self::keys::{Lines, SWEEP, check_keys, not_read};
 pub use self::turn::Turn;
 use super::coefficient_table::CoefficientTable;
 use super::error::StabilityError;
+use super::forces::Forces;
 use super::input::{InputError, Place, Remark};
 use super::interpolation::Interpolation;
 use super::quantity::{Quantity, Unit};
@@ -234,6 +235,22 @@ impl Case {
             own.variable.set(&mut parameters, own.value);
         }
         parameters
+    }
+
+    /// Errors of coefficients, without those of what is set in place of the table.
+    pub(super) fn errors_of_table(&self, errors: Coefficients) -> Coefficients {
+        let mut parameters = Parameters {
+            forces: errors.into(),
+            ..self.parameters
+        };
+        for own in self.set.iter().filter(|own| own.variable.is_of_table()) {
+            own.variable.set(&mut parameters, 0.0);
+        }
+        match parameters.forces {
+            Forces::Coefficients(own) => own,
+            // What is set is S_a.
+            Forces::ScaledDamping(_) => Coefficients::default(),
+        }
     }
 
     /// What is possible but odd about its numbers, as where a unit was mistaken.

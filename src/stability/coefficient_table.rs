@@ -3,6 +3,7 @@
 mod cells;
 mod heading;
 pub mod remarks;
+pub mod scatter;
 mod sheet;
 
 use self::heading::{Columns, Unit};

@@ -3,11 +3,13 @@
 mod agreement;
 mod point;
 mod range;
+mod within;
 
 pub use agreement::{Agreement, Method, Reason};
 pub(super) use point::{Answers, Following, modes_of};
 pub use point::{FollowedMode, Point, Value};
 pub use range::{AngleRange, UnstableRange, angle, listed};
+pub use within::{Cause, Within};
 
 use rayon::prelude::*;
 
@@ -35,6 +37,8 @@ pub struct Comparison {
     pub undecided: Vec<AngleRange>,
     /// How each of the other methods agrees with the state matrix.
     pub agreements: Vec<Agreement>,
+    /// What is certain within the errors of the coefficients, or turned by the scatter of the table.
+    pub within: Option<Within>,
     /// How the table is read, in words.
     pub reading: String,
     /// What is odd about the input.
@@ -84,6 +88,9 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
     let mut remarks = remarks(table);
     remarks.extend(case.remarks());
     remarks.extend(weakened(case, &section, &points));
+    let within = within::within(case, table, &angles, &section)?;
+    let scattered = within.as_ref();
+    remarks.extend(scattered.and_then(|own| own.remark(table, &points)));
     let corners = curves.corners(&angles);
     if corners > 0 {
         remarks.push(Remark {
@@ -97,6 +104,7 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
     }
     Ok(Comparison {
         case: case.clone(),
+        within,
         unstable: range::unstable(&points),
         undecided: range::undecided(&points),
         agreements: agreement::agreements(&points),

@@ -229,15 +229,39 @@ impl CoefficientCurves {
     /// How far the coefficients at an angle, and their derivatives, may be off if each row of the table is off by at most its
     /// errors: Σ|w_j| e_j with the weights w_j that the value or slope there gives to each row.
     ///
-    /// As many curves as there are rows around the angle, the first time.
+    /// Linear in the number of rows around the angle.
     ///
     /// # Errors
     ///
     /// As [`CoefficientCurves::at`].
     pub fn errors_at(&self, angle: f64) -> Result<Coefficients, OutsideTable> {
+        let sum = |sum: f64, weight: f64, error: f64| sum + weight.abs() * error;
+        self.spread_at(angle, sum, |own| own)
+    }
+
+    /// How far they are off where the errors of the rows are independent of each other, and of that size in the quadratic
+    /// mean: √Σ(w_j e_j)².
+    ///
+    /// # Errors
+    ///
+    /// As [`CoefficientCurves::at`].
+    pub fn scatter_at(&self, angle: f64) -> Result<Coefficients, OutsideTable> {
+        let sum = |sum: f64, weight: f64, error: f64| sum + (weight * error).powi(2);
+        self.spread_at(angle, sum, f64::sqrt)
+    }
+
+    fn spread_at(
+        &self,
+        angle: f64,
+        sum: fn(f64, f64, f64) -> f64,
+        of_sum: fn(f64) -> f64,
+    ) -> Result<Coefficients, OutsideTable> {
         let (piece, place) = self.place(angle).ok_or_else(|| self.outside(angle))?;
-        let [drag, lift, moment] = [0, 1, 2].map(|curve| piece.errors_at(curve, place));
-        Ok(coefficients([drag, lift, moment]))
+        let spread = |curve| {
+            let (value, slope) = piece.spread_at(curve, place, sum);
+            (of_sum(value), of_sum(slope))
+        };
+        Ok(coefficients([0, 1, 2].map(spread)))
     }
 
     /// How many of these angles are corners of straight lines, where the slope jumps.
@@ -306,13 +330,13 @@ impl Piece {
         })
     }
 
-    /// How far value and slope of a curve may be off.
-    fn errors_at(&self, column: usize, place: f64) -> (f64, f64) {
+    /// A sum over the rows for value and slope of a curve: of a sum so far, the weight of a row, and its error.
+    fn spread_at(&self, column: usize, place: f64, sum: fn(f64, f64, f64) -> f64) -> (f64, f64) {
         let curves = self.influences.get(column).or(self.influences.first());
         let rows = curves.into_iter().flatten().zip(&self.errors[column]);
         rows.fold((0.0, 0.0), |(value, slope), (curve, error)| {
             let own = self.at_curve(curve, place);
-            (value + own.0.abs() * error, slope + own.1.abs() * error)
+            (sum(value, own.0, *error), sum(slope, own.1, *error))
         })
     }
 

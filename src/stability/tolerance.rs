@@ -38,6 +38,15 @@ impl Certainty {
     }
 }
 
+/// What is known of all sections whose coefficients are within their errors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance {
+    /// Whether they are stable.
+    pub certainty: Certainty,
+    /// Between which numbers S of every one of them lies; `None` without wind, and where modes are too close.
+    pub damping: Option<[f64; 2]>,
+}
+
 /// More than what is lost where bounds are added up.
 const ABOVE: f64 = 1.0 + 1e-12;
 
@@ -65,11 +74,11 @@ const INVERSE: f64 = 1e-3;
 /// # Errors
 ///
 /// As [`Model::new`]; [`StabilityError::StiffnessWithoutCoefficients`] if S_a is given, which has no coefficients.
-pub fn certainty(section: &Section, errors: &Coefficients) -> Result<Certainty, StabilityError> {
+pub fn tolerance(section: &Section, errors: &Coefficients) -> Result<Tolerance, StabilityError> {
     let Forces::Coefficients(middle) = section.parameters().forces else {
         return Err(StabilityError::StiffnessWithoutCoefficients);
     };
-    let mut found = Found::default();
+    let (mut found, mut damping) = (Found::default(), None);
     let mut parts = vec![(numbers(&middle), numbers(errors))];
     for count in 1.. {
         let Some((middle, errors)) = parts.pop() else {
@@ -77,6 +86,9 @@ pub fn certainty(section: &Section, errors: &Coefficients) -> Result<Certainty, 
         };
         let own = with(section, middle)?;
         let family = Family::about(&Model::new(&own)?, errors)?;
+        if count == 1 {
+            damping = family.as_ref().and_then(|own| own.damping(section));
+        }
         match family.as_ref().and_then(Family::certainty) {
             Some(certain) => found.add(certain),
             None if count == 1 => found.add_ends(section, family.as_ref(), middle, errors)?,
@@ -93,7 +105,10 @@ pub fn certainty(section: &Section, errors: &Coefficients) -> Result<Certainty, 
             _ => found.is_open |= is_open,
         }
     }
-    Ok(found.certainty())
+    Ok(Tolerance {
+        certainty: found.certainty(),
+        damping,
+    })
 }
 
 /// The most parts of the errors that are looked at.
@@ -158,6 +173,8 @@ fn with(section: &Section, coefficients: [f64; 6]) -> Result<Section, StabilityE
 
 /// The sections, seen from the eigenvectors of the one in their middle.
 struct Family {
+    /// The unit of what is scaled, in 1/s.
+    unit: f64,
     /// Λ, scaled.
     values: Vec<Complex<f64>>,
     /// What the real part of each eigenvalue may move by at first order.
@@ -202,10 +219,17 @@ impl Family {
         if !(away < INVERSE) {
             return Ok(None);
         }
-        Ok(Some(Family::new(values, &residual, &changes, away)))
+        let unit = model.frequency_unit;
+        Ok(Some(Family::new(unit, values, &residual, &changes, away)))
     }
 
-    fn new(values: Vec<Complex<f64>>, residual: &Balls, changes: &[Balls], away: f64) -> Self {
+    fn new(
+        unit: f64,
+        values: Vec<Complex<f64>>,
+        residual: &Balls,
+        changes: &[Balls],
+        away: f64,
+    ) -> Self {
         let size = values.len();
         let all = |row: usize, column: usize| -> f64 {
             let parts = changes.iter().map(|own| own[(row, column)].largest());
@@ -224,6 +248,7 @@ impl Family {
             (moved + residual[(place, place)].largest() + lost(place)) * ABOVE
         };
         Family {
+            unit,
             reach: (0..size).map(reach).collect(),
             slopes: (0..size)
                 .map(|place| std::array::from_fn(|k| changes[k][(place, place)].centre.re))
@@ -256,6 +281,22 @@ impl Family {
         let all_apart = (0..size).all(|one| (0..one).all(|other| are_apart(one, other)));
         let is_left = |place: usize| real(place) < -(self.reach[place] + radii[place]) * ABOVE;
         (all_apart && (0..size).all(is_left)).then_some(Certainty::Stable)
+    }
+
+    /// Between which numbers S lies.
+    fn damping(&self, section: &Section) -> Option<[f64; 2]> {
+        let radii: Option<Vec<f64>> = (0..self.values.len()).map(|own| self.radius(own)).collect();
+        let moved = self.reach.iter().zip(radii?).map(|(own, more)| own + more);
+        let ends = self.values.iter().zip(moved).map(|(value, moved)| {
+            let own = value.re;
+            [own - moved, own + moved]
+        });
+        let [least, most] = ends.fold([f64::NEG_INFINITY; 2], |[least, most], own| {
+            [least.max(own[0]), most.max(own[1])]
+        });
+        // What is rounded here is far below what is open.
+        let [above, below] = [least, most].map(|own| section.damping_coefficient(own * self.unit));
+        Some([below?, above?])
     }
 
     /// The radius of a disc that holds just one eigenvalue, beside what the diagonal does; `None` if the others are too
@@ -467,7 +508,7 @@ mod tests {
         ) {
             let errors = [1.0, 1.0, 0.3, 2.0, 2.0, 0.5].map(|own: f64| own * size);
             let section = Section::new(parameters).unwrap();
-            let found = certainty(&section, &from_numbers(errors)).unwrap();
+            let Tolerance { certainty: found, damping } = tolerance(&section, &from_numbers(errors)).unwrap();
             let Forces::Coefficients(middle) = parameters.forces else { unreachable!() };
             let middle = numbers(&middle);
             let ends = (0..6).map(|k| if corner >> k & 1 == 0 { -1.0 } else { 1.0 }).collect();
@@ -478,6 +519,12 @@ mod tests {
                     Certainty::Stable => prop_assert!(matches!(verdict, Verdict::Stable(_)), "{verdict:?}"),
                     Certainty::Unstable => prop_assert!(matches!(verdict, Verdict::Unstable(_)), "{verdict:?}"),
                     Certainty::Depends | Certainty::Open => {}
+                }
+                if let Some([least, most]) = damping {
+                    let own = with(&section, own).unwrap();
+                    let spectrum = eigenvalues(&Model::new(&own).unwrap()).unwrap();
+                    let (value, error) = spectrum.damping_coefficient(&own).unwrap();
+                    prop_assert!(value + error >= least && value - error <= most, "{value} {least} {most}");
                 }
             }
         }
@@ -495,7 +542,9 @@ mod tests {
             let section = Section::new(parameters).unwrap();
             for (size, counts) in [0.0, 0.03, 0.3].iter().zip(&mut counts) {
                 let errors = [1.0, 1.0, 0.3, 2.0, 2.0, 0.5].map(|own: f64| own * size);
-                let found = certainty(&section, &from_numbers(errors)).unwrap();
+                let found = tolerance(&section, &from_numbers(errors))
+                    .unwrap()
+                    .certainty;
                 counts[found as usize] += 1;
                 if *size == 0.0 {
                     let verdict = exact_verdict(&ExactSection::from(&section));

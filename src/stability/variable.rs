@@ -69,6 +69,12 @@ impl Variable {
         self.quantities.is_empty()
     }
 
+    /// Whether it sets what is otherwise read from the table.
+    pub(super) fn is_of_table(self) -> bool {
+        let is_of_table = |own: &Quantity| matches!(own.row().source, Source::Table);
+        self.quantities.iter().any(is_of_table)
+    }
+
     /// Whether it and another one set the same quantity: then their order matters.
     pub(super) fn clashes(self, other: Variable) -> bool {
         let mut quantities = self.quantities.iter();

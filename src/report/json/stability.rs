@@ -5,9 +5,10 @@ use serde::Serialize;
 use crate::report::stability::{frequency_in_hertz, reasons};
 use crate::stability::case::Case;
 use crate::stability::comparison::{
-    Agreement, AngleRange, Comparison, FollowedMode, Point, UnstableRange, Value, angle,
+    Agreement, AngleRange, Cause, Comparison, FollowedMode, Point, UnstableRange, Value, angle,
 };
 use crate::stability::input::Remark;
+use crate::stability::tolerance::Tolerance;
 
 use super::pairs::{Pairs, is_empty, settings};
 use super::write;
@@ -35,7 +36,16 @@ struct AtAngle<'a> {
     diverges: bool,
     reason: String,
     modes: Vec<OneMode<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    within_errors: Option<WithinErrors<'a>>,
     warnings: Vec<String>,
+}
+
+/// What is certain for all coefficients within their errors.
+#[derive(Serialize)]
+struct WithinErrors<'a> {
+    verdict: &'a str,
+    s3d: Option<[f64; 2]>,
 }
 
 #[derive(Serialize)]
@@ -108,7 +118,8 @@ pub fn comparison(comparison: &Comparison) -> String {
         points: comparison
             .points
             .iter()
-            .map(|own| at_angle(own, case))
+            .enumerate()
+            .map(|(place, own)| at_angle(own, tolerance(comparison, place), case))
             .collect(),
         unstable: comparison
             .unstable
@@ -121,7 +132,13 @@ pub fn comparison(comparison: &Comparison) -> String {
     })
 }
 
-fn at_angle<'a>(point: &'a Point, case: &Case) -> AtAngle<'a> {
+fn tolerance(comparison: &Comparison, place: usize) -> Option<Tolerance> {
+    let within = comparison.within.as_ref();
+    let within = within.filter(|own| own.cause == Cause::Errors)?;
+    within.tolerances.get(place).copied()
+}
+
+fn at_angle<'a>(point: &'a Point, tolerance: Option<Tolerance>, case: &Case) -> AtAngle<'a> {
     AtAngle {
         alpha_deg: angle(point.angle),
         s3d: ByMethod {
@@ -134,6 +151,10 @@ fn at_angle<'a>(point: &'a Point, case: &Case) -> AtAngle<'a> {
         diverges: point.diverges,
         reason: point.verdict.to_string(),
         modes: point.modes.iter().map(|own| one_mode(own, case)).collect(),
+        within_errors: tolerance.map(|own| WithinErrors {
+            verdict: own.certainty.name(),
+            s3d: own.damping,
+        }),
         warnings: warnings(point),
     }
 }

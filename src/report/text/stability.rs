@@ -5,7 +5,8 @@ use std::iter::once;
 use anstyle::Style;
 
 use crate::report::stability::{
-    PROOF, agreement, conclusion, frequency, largest_error, mode, power, reasons, rounded, title,
+    PROOF, WITHIN, agreement, conclusion, frequency, largest_error, mode, power, reasons, rounded,
+    title, within_errors,
 };
 use crate::stability::comparison::{Comparison, FollowedMode, Method, UnstableRange, angle};
 
@@ -16,6 +17,9 @@ use super::run::{Run, column, spaces};
 /// As wide as the widest name of a method.
 const METHODS: usize = 13;
 
+/// As wide as `unstable for all` and the margin.
+const CERTAINTIES: usize = 20;
+
 /// On narrower pages a table has its cells in prose.
 const TABLE: usize = 70;
 
@@ -25,6 +29,7 @@ pub fn comparison(comparison: &Comparison, width: usize) -> String {
     page.prose(&[], &[Run::words(title(comparison), STRONG)]);
     page.prose(&[], &[Run::words(&comparison.reading, FAINT)]);
     unstable(&mut page, comparison);
+    within(&mut page, comparison);
     methods(&mut page, comparison);
     if !comparison.remarks.is_empty() {
         page.heading("Warnings");
@@ -81,6 +86,19 @@ fn row(page: &mut Page, cells: &[String; 5], widths: [usize; 4], style: Style) {
     let columns = columns.flat_map(|(cell, width)| column(cell, width, style));
     let prefix: Vec<Run> = once(spaces(2)).chain(columns).collect();
     page.prose(&prefix, &[Run::words(mode, style)]);
+}
+
+fn within(page: &mut Page, comparison: &Comparison) {
+    let lines = within_errors(comparison);
+    if lines.is_empty() {
+        return;
+    }
+    page.heading("Within the errors of the coefficients");
+    for (name, angles) in lines {
+        let name = column(&format!("  {name}"), CERTAINTIES, FAINT);
+        page.prose(&name, &[Run::words(angles, PLAIN)]);
+    }
+    page.hint(2, WITHIN);
 }
 
 fn methods(page: &mut Page, comparison: &Comparison) {

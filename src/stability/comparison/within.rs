@@ -1,0 +1,114 @@
+//! What is certain of a case within the errors of its coefficients, or within the scatter of its table.
+
+use rayon::prelude::*;
+
+use super::point::Point;
+use super::range::{AngleRange, listed, ranges};
+use crate::stability::case::Case;
+use crate::stability::coefficient_table::CoefficientTable;
+use crate::stability::coefficient_table::scatter::scatter;
+use crate::stability::input::{InputError, Place, Remark};
+use crate::stability::interpolation::CoefficientCurves;
+use crate::stability::section::Section;
+use crate::stability::smoothing::MOST_POINTS;
+use crate::stability::tolerance::{Certainty, Tolerance, tolerance};
+
+/// What is certain at the angles of a case for all coefficients that a table leaves open.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Within {
+    /// What leaves them open.
+    pub cause: Cause,
+    /// What is known at each angle, in order.
+    pub tolerances: Vec<Tolerance>,
+}
+
+/// Why coefficients may be other ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cause {
+    /// The table or the case gives errors.
+    Errors,
+    /// The table scatters about smooth curves, with these standard deviations of C_D, C_L and C_M: it is asked whether
+    /// two of them can turn a verdict.
+    Scatter([f64; 3]),
+}
+
+impl Within {
+    /// Where something is certain.
+    pub fn ranges(&self, points: &[Point], certainty: Certainty) -> Vec<AngleRange> {
+        let angles = points.iter().zip(&self.tolerances);
+        let angles: Vec<f64> = angles
+            .filter(|(_, own)| own.certainty == certainty)
+            .map(|(point, _)| point.angle)
+            .collect();
+        ranges(points, |point| angles.contains(&point.angle))
+    }
+}
+
+impl Within {
+    /// That the scatter of the table alone may turn verdicts, if it may.
+    pub(super) fn remark(&self, table: &CoefficientTable, points: &[Point]) -> Option<Remark> {
+        let Cause::Scatter(found) = self.cause else {
+            return None;
+        };
+        let may_turn =
+            |own: &&Tolerance| matches!(own.certainty, Certainty::Depends | Certainty::Open);
+        let count = self.tolerances.iter().filter(may_turn).count();
+        let mut turned = self.ranges(points, Certainty::Depends);
+        turned.extend(self.ranges(points, Certainty::Open));
+        turned.sort_by(|one, other| one.from.total_cmp(&other.from));
+        let parts = ["CD", "CL", "CM"].into_iter().zip(found);
+        let parts: Vec<String> = parts
+            .filter(|(_, own)| *own > 0.0)
+            .map(|(name, own)| format!("{name} by {own:.1e}"))
+            .collect();
+        (count > 0).then(|| Remark {
+            place: Place::file(table.file()),
+            what: format!(
+                "the numbers scatter about smooth curves ({}); twice that may turn the verdict at {count} of {} angles \
+                 ({}): say `interpolation = \"smooth\"`, or give the `errors` of the coefficients",
+                parts.join(", "),
+                points.len(),
+                listed(&turned),
+            ),
+        })
+    }
+}
+
+/// So many standard deviations may be off.
+const DEVIATIONS: f64 = 2.0;
+
+/// By the errors of a table, or by its scatter where there is some; `None` where the coefficients are as they are.
+pub(super) fn within(
+    case: &Case,
+    table: &CoefficientTable,
+    angles: &[f64],
+    section_at: &(impl Fn(f64) -> Result<Section, InputError> + Sync),
+) -> Result<Option<Within>, InputError> {
+    let cause = match (table.has_errors(), scatter(table)) {
+        (true, _) => Cause::Errors,
+        (false, [0.0, 0.0, 0.0]) => return Ok(None),
+        (false, _) if table.rows().len() > MOST_POINTS => return Ok(None),
+        (false, found) => Cause::Scatter(found),
+    };
+    let open = match cause {
+        Cause::Errors => table.clone(),
+        Cause::Scatter(found) => table.clone().with_errors(found.map(|own| DEVIATIONS * own)),
+    };
+    let curves = CoefficientCurves::new(&open, case.interpolation)?;
+    let at = |&angle: &f64| -> Result<Tolerance, InputError> {
+        let section = section_at(angle)?;
+        let errors = match cause {
+            Cause::Errors => curves.errors_at(angle),
+            Cause::Scatter(_) => curves.scatter_at(angle),
+        };
+        // The section has been found there.
+        let errors = case.errors_of_table(errors.unwrap_or_default());
+        let open = Tolerance {
+            certainty: Certainty::Open,
+            damping: None,
+        };
+        Ok(tolerance(&section, &errors).unwrap_or(open))
+    };
+    let tolerances = angles.par_iter().map(at).collect::<Result<_, _>>()?;
+    Ok(Some(Within { cause, tolerances }))
+}
