@@ -38,6 +38,15 @@ impl Spectrum {
         Spectrum { eigenvalues }
     }
 
+    /// That of which one eigenvalue of each pair is given.
+    pub(super) fn of_pairs(found: impl IntoIterator<Item = Eigenvalue>) -> Self {
+        let pair = |own: Eigenvalue| {
+            let conjugate = own.value.conj();
+            [own.value, conjugate].map(|value| Eigenvalue { value, ..own })
+        };
+        Spectrum::new(found.into_iter().flat_map(pair).collect())
+    }
+
     /// The largest real part and a bound of its error, in 1/s.
     pub fn largest_real_part(&self) -> (f64, f64) {
         largest_real_part(&self.eigenvalues)

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::point::{FollowedMode, Point, Value};
+use super::following::FollowedMode;
+use super::point::{Point, Value};
 use crate::stability::verdict::Verdict;
 
 /// From one angle of a sweep to another, both included, in degrees.
