@@ -3,10 +3,11 @@
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-use crate::stability::closed_form::Estimated;
+use crate::stability::closed_form::Estimate;
 use crate::stability::comparison::Value;
 use crate::stability::coordinate::Coordinate;
 use crate::stability::grid::Grid;
+use crate::stability::limitation::Limits;
 use crate::stability::system::sweep::Sweep;
 
 /// A column of a table.
@@ -140,13 +141,13 @@ fn column(name: &str, cells: Cells) -> Column {
     }
 }
 
-fn estimates(found: &[Estimated]) -> Cells {
+fn estimates(found: &[Estimate<Limits>]) -> Cells {
     let numbers = found.iter().map(|own| own.value.unwrap_or(f64::NAN));
     Cells::Numbers(numbers.collect(), Digits::Decimals(9))
 }
 
-fn limits(found: &[Estimated]) -> Cells {
-    Cells::Words(found.iter().map(|own| own.limits.words()).collect())
+fn limits(found: &[Estimate<Limits>]) -> Cells {
+    Cells::Words(found.iter().map(|own| own.limitations.words()).collect())
 }
 
 impl Cells {

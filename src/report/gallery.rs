@@ -2,8 +2,9 @@
 
 use crate::stability::case::Case;
 use crate::stability::coefficient_table::CoefficientTable;
-use crate::stability::comparison::{Comparison, FollowedMode, angle, compare};
+use crate::stability::comparison::{Comparison, FollowedMode, Value, angle, compare};
 use crate::stability::coordinate::Coordinate;
+use crate::stability::grid::{Grid, Methods, Rows};
 use crate::stability::input::{InputError, Place};
 use crate::stability::interpolation::CoefficientCurves;
 use crate::stability::offset::{OffsetPoint, against_offset};
@@ -30,6 +31,9 @@ const FREQUENCY: &str = "frequency (Hz)";
 /// Steps of the eccentricity, and the largest.
 const STEPS: usize = 400;
 const LARGEST: f64 = 0.6;
+
+/// So many sections are computed at once.
+const AT_ONCE: u64 = 1024;
 
 /// All figures of a case: the frequencies of Fig. 11 and the trajectories of Fig. 12, which rest on no case;
 /// its stability by all methods; with and without inertial coupling, as Figs. 3–6 and 9; modes against the
@@ -146,32 +150,38 @@ fn inertial_coupling(
 ) -> Result<Figure, InputError> {
     let mut centred = comparison.case.clone();
     centred.parameters.mass_centre_distance = 0.0;
-    let centred = compare(&centred, table)?;
-    let curve = |label: String, stroke, of: &Comparison| {
-        let points = of.points.iter();
-        Curve {
-            label,
-            stroke,
-            pieces: vec![
-                points
-                    .map(|point| (point.angle, point.exact.value))
-                    .collect(),
-            ],
-        }
+    let centred = exact(&centred, table)?;
+    let points = || comparison.points.iter();
+    let own = points().map(|point| (point.angle, point.exact.value));
+    let centred = points().zip(centred);
+    let centred = centred.filter_map(|(point, exact)| Some((point.angle, exact?.value)));
+    let curve = |label: String, stroke, points: Vec<(f64, f64)>| Curve {
+        label,
+        stroke,
+        pieces: vec![points],
     };
     let e = comparison.case.parameters.small_quantities().e;
-    let base = stability_figure::figure(comparison);
+    let with = format!("with inertial coupling, L_{{g}}/r = {e:.3}");
+    let without = "without, L_{g} = 0".to_string();
     Ok(Figure {
         curves: vec![
-            curve(
-                format!("with inertial coupling, L_{{g}}/r = {e:.3}"),
-                Stroke::Solid,
-                comparison,
-            ),
-            curve("without, L_{g} = 0".into(), Stroke::Dashed, &centred),
+            curve(with, Stroke::Solid, own.collect()),
+            curve(without, Stroke::Dashed, centred.collect()),
         ],
-        ..base
+        ..stability_figure::figure(comparison)
     })
+}
+
+/// S of a case at each of its angles by the exact eigenvalues.
+fn exact(case: &Case, table: &CoefficientTable) -> Result<Vec<Option<Value>>, InputError> {
+    let methods = Methods {
+        exact: true,
+        ..Methods::default()
+    };
+    let grid = Grid::new(case, table, Vec::new(), Rows::Points, methods)?;
+    let starts = (0..grid.rows()).step_by(AT_ONCE as usize);
+    let blocks = starts.map(|start| start..grid.rows().min(start + AT_ONCE));
+    Ok(blocks.flat_map(|block| grid.rows_at(block).exact).collect())
 }
 
 /// As Fig. 7: S and frequency of every mode against the offset of G, at the angle with the least S.

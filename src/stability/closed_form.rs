@@ -1,12 +1,14 @@
 //! The closed forms (21) to (23), and where they may be used.
 
+use std::iter;
+
 use num_complex::Complex;
 use sextic_evaluators::closed_form::{ClosedFormInputs, closed_form as evaluated};
 use sextic_evaluators::small_quantities::SmallQuantitiesOutputs;
 
 use super::forces::norm;
 use super::given::Given;
-use super::limitation::{Limitation, Limits, STRONG};
+use super::limitation::{Limitation, STRONG};
 use super::section::{Parameters, Section};
 
 /// The three eigenvalues with positive frequencies that a closed form gives.
@@ -26,46 +28,21 @@ impl ClosedForm {
     }
 }
 
-impl Estimate {
-    /// The same with the names of the limitations alone.
-    pub(super) fn estimated(&self) -> Estimated {
-        Estimated {
-            value: self.value,
-            limits: self.limitations.iter().collect(),
-        }
-    }
-}
-
-/// S by a closed form, and which limitations speak against it.
+/// S by a closed form, and what speaks against it: all of it, or its names as a table has them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Estimated {
-    /// S; `None` where the form does not apply.
-    pub value: Option<f64>,
-    /// What speaks against it.
-    pub limits: Limits,
-}
-
-/// S by a closed form, and what speaks against it.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Estimate {
+pub struct Estimate<L = Vec<Limitation>> {
     /// S; `None` where the form does not apply, or without wind.
     pub value: Option<f64>,
     /// What speaks against it.
-    pub limitations: Vec<Limitation>,
+    pub limitations: L,
 }
 
-impl Estimate {
-    /// What a form says of a section.
-    pub(super) fn new(p: &Parameters, form: Result<ClosedForm, Limitation>) -> Self {
-        match form {
-            Ok(form) => Estimate {
-                value: p.damping_coefficient(form.largest_real_part()),
-                limitations: form.warnings,
-            },
-            Err(limitation) => Estimate {
-                value: None,
-                limitations: vec![limitation],
-            },
+impl<L: FromIterator<Limitation>> Estimate<L> {
+    /// None, since the form does not apply.
+    pub(super) fn without(limitation: Limitation) -> Self {
+        Estimate {
+            value: None,
+            limitations: iter::once(limitation).collect(),
         }
     }
 }

@@ -15,7 +15,7 @@ use sextic_evaluators::exact_modes_batch::exact_modes_batch;
 use sextic_evaluators::no_wind_modes::{NoWindModesOutputs, no_wind_modes_batch};
 use sextic_evaluators::small_quantities::{SmallQuantitiesOutputs, small_quantities_batch};
 
-use super::closed_form::{Estimated, Judged, are_tuned};
+use super::closed_form::{Estimate, Judged, are_tuned};
 use super::forces::Forces;
 use super::forces::Matrix;
 use super::given::Given;
@@ -82,7 +82,7 @@ pub(super) struct Results<const N: usize> {
 
 impl<const N: usize> Results<N> {
     /// No results yet for so many rows.
-    fn new(rows: usize) -> Self {
+    pub fn new(rows: usize) -> Self {
         Results {
             cells: vec![f64::NAN; N * rows],
             rows,
@@ -90,35 +90,40 @@ impl<const N: usize> Results<N> {
     }
 
     /// The columns.
-    fn columns(&self) -> [&[f64]; N] {
+    pub fn columns(&self) -> [&[f64]; N] {
         array::from_fn(|place| &self.cells[place * self.rows..][..self.rows])
     }
 
-    fn columns_mut(&mut self) -> [&mut [f64]; N] {
+    pub fn columns_mut(&mut self) -> [&mut [f64]; N] {
         let mut rest = self.cells.as_mut_slice();
         array::from_fn(|_| rest.split_off_mut(..self.rows).unwrap_or_default())
     }
 }
 
 /// Columns have one length, so that no batch refuses them; what it would leave is no number.
-fn computed(batch: Result<(), LengthMismatch>) {
+pub(super) fn computed(batch: Result<(), LengthMismatch>) {
     debug_assert!(batch.is_ok(), "{batch:?}");
 }
 
 #[allow(non_snake_case)]
-impl<'a> Given<&'a [f64]> {
+impl Given<&[f64]> {
     /// How many sections there are.
     pub fn rows(&self) -> usize {
         self.parameters.mass.len()
     }
 
-    /// S_a, Eq. (18), by rows: as it is given, or from the coefficients, computed in `space`.
-    pub fn scaled_damping_columns(&self, space: &'a mut Option<Results<9>>) -> Matrix<&'a [f64]> {
+    /// S_a, Eq. (18), row by row: as it is given, or from the coefficients.
+    pub fn scaled_damping_columns(&self) -> Results<9> {
+        let mut found = Results::new(self.rows());
         let c = match &self.parameters.forces {
-            Forces::ScaledDamping(rows) => return *rows,
+            Forces::ScaledDamping(rows) => {
+                for (column, given) in found.columns_mut().into_iter().zip(rows.as_flattened()) {
+                    column.copy_from_slice(given);
+                }
+                return found;
+            }
             Forces::Coefficients(c) => c,
         };
-        let found = space.insert(Results::new(self.rows()));
         let [S_xx, S_xy, S_xt, S_yx, S_yy, S_yt, S_tx, S_ty, S_tt] = found.columns_mut();
         let mut outputs = AerodynamicDampingOutputs {
             S_xx,
@@ -137,20 +142,18 @@ impl<'a> Given<&'a [f64]> {
             &mut outputs,
             Mode::Strict,
         ));
-        let [xx, xy, xt, yx, yy, yt, tx, ty, tt] = found.columns();
-        [[xx, xy, xt], [yx, yy, yt], [tx, ty, tt]]
+        found
     }
 
     /// S by the closed forms (21) to (23), and what speaks against it, as [`closed_form`](super::closed_form::closed_form)
     /// says it of each section.
-    pub fn closed_forms(&self, s_a: &Matrix<&[f64]>) -> Vec<Estimated> {
+    pub fn closed_forms<L>(&self, s_a: &Matrix<&[f64]>) -> Vec<Estimate<L>>
+    where
+        L: FromIterator<Limitation> + Clone,
+    {
         let p = &self.parameters;
-        let without = |own: Limitation| Estimated {
-            value: None,
-            limits: [own].iter().collect(),
-        };
         if !p.free.are_all() {
-            return vec![without(Limitation::NotAllFree); self.rows()];
+            return vec![Estimate::without(Limitation::NotAllFree); self.rows()];
         }
         let parts = self.closed_real_parts(s_a);
         let coefficients = self.damping_coefficients(&largest(&parts));
@@ -159,10 +162,9 @@ impl<'a> Given<&'a [f64]> {
         let sizes = norms(s_a);
         let small = self.small_quantities();
         let [e, delta] = small.columns();
-        let detuned = without(Limitation::NotTuned);
         let estimated = |row: usize| {
             if !are_tuned(p.natural_frequencies.map(|own| own[row])) {
-                return detuned;
+                return Estimate::without(Limitation::NotTuned);
             }
             let judged = Judged {
                 small: SmallQuantitiesOutputs {
@@ -175,9 +177,9 @@ impl<'a> Given<&'a [f64]> {
                 is_damped: p.damping_ratios.iter().any(|own| own[row] > 0.0),
                 is_stiffened: p.aerodynamic_stiffness,
             };
-            Estimated {
+            Estimate {
                 value: judged.coefficient,
-                limits: judged.limitations().iter().flatten().collect(),
+                limitations: judged.limitations().into_iter().flatten().collect(),
             }
         };
         (0..self.rows()).map(estimated).collect()
@@ -245,7 +247,7 @@ impl<'a> Given<&'a [f64]> {
     }
 
     /// S of real parts in 1/s, Eq. (13).
-    fn damping_coefficients(&self, real_parts: &[f64]) -> Results<1> {
+    pub fn damping_coefficients(&self, real_parts: &[f64]) -> Results<1> {
         let mut found = Results::new(self.rows());
         let [S] = found.columns_mut();
         let inputs = self.parameters.damping_coefficient_inputs(real_parts);
@@ -300,7 +302,7 @@ fn shares(parts: &Results<3>, squares: &Results<12>) -> Vec<f64> {
 }
 
 /// The Frobenius norm of each row, summed in the order of [`norm`](super::forces::norm).
-fn norms(matrix: &Matrix<&[f64]>) -> Vec<f64> {
+pub(super) fn norms(matrix: &Matrix<&[f64]>) -> Vec<f64> {
     let mut sums = vec![0.0; matrix[0][0].len()];
     for column in matrix.as_flattened() {
         for (sum, own) in sums.iter_mut().zip(*column) {

@@ -74,11 +74,7 @@ fn coefficients(model: &Model) -> [Ball; 7] {
     if !p.free.are_all() || p.aerodynamic_stiffness {
         return model.taylor(Ball::ZERO);
     }
-    let mut given = Given::of(p);
-    // The damping of the wind goes with U over the unit of frequency.
-    let per_unit = |own: f64| own / model.frequency_unit;
-    given.parameters.natural_frequencies = p.natural_frequencies.map(per_unit);
-    given.parameters.wind_speed = per_unit(p.wind_speed);
+    let given = Given::of(p).in_units_of(model.frequency_unit);
     let out = evaluated(&given.characteristic_polynomial_inputs(&c));
     let values = [out.c_0, out.c_1, out.c_2, out.c_3, out.c_4, out.c_5];
     let determinant = model.taylor(Ball::ZERO);

@@ -1,14 +1,18 @@
 //! A case at all its angles, by every method, side by side.
 
 mod agreement;
+mod following;
 mod point;
 mod range;
+mod value;
 mod within;
 
 pub use agreement::{Agreement, Method, Reason};
-pub(super) use point::{Answers, Following, modes_of};
-pub use point::{FollowedMode, Point, Value};
+pub use following::FollowedMode;
+pub(super) use following::{Following, Modes, modes_of};
+pub use point::Point;
 pub use range::{AngleRange, UnstableRange, angle, listed};
+pub use value::Value;
 pub use within::{Cause, Within};
 
 use rayon::prelude::*;
@@ -48,8 +52,11 @@ pub struct Comparison {
 /// Why there is no S without wind.
 pub(super) const NO_WIND: &str = "there is no wind, and S is a damping over the wind speed";
 
-/// So many angles are answered at once: their matrices need little memory.
+/// So many angles are answered before their modes are followed: their matrices need little memory.
 const BLOCK: usize = 1024;
+
+/// So many are answered by a core at once.
+const AT_ONCE: usize = 64;
 
 /// Compares the methods at all angles of a case.
 ///
@@ -72,18 +79,25 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
     let curves = CoefficientCurves::new(table, case.interpolation)?;
     let angles = case.angles.values();
     let section = |angle: f64| section_at(case, table, &curves, angle);
-    let answers = |&angle: &f64| -> Result<(f64, Answers), InputError> {
-        let answers =
-            Answers::new(&section(angle)?).map_err(|error| impossible(case, angle, &error))?;
-        Ok((angle, answers))
+    let answers = |angles: &[f64]| -> Result<Vec<(Point, Modes)>, InputError> {
+        let sections: Result<Vec<_>, _> = angles.iter().map(|angle| section(*angle)).collect();
+        let found = point::points(angles, &sections?);
+        found.map_err(|(angle, error)| impossible(case, angle, &error))
     };
     let mut points = Vec::with_capacity(angles.len());
     let mut following = Following::default();
     for block in angles.chunks(BLOCK) {
-        let answered: Vec<_> = block.par_iter().map(answers).collect();
+        let found: Vec<_> = block.par_chunks(AT_ONCE).map(answers).collect();
         // The first error, not the one that was found first.
-        let answered: Vec<(f64, Answers)> = answered.into_iter().collect::<Result<_, _>>()?;
-        points.extend(following.points(answered));
+        let found: Vec<_> = found.into_iter().collect::<Result<_, _>>()?;
+        let (own, modes): (Vec<Point>, Vec<Modes>) = found.into_iter().flatten().unzip();
+        let numbers = following.numbers(&modes);
+        let numbered = modes
+            .iter()
+            .zip(&numbers)
+            .map(|(own, numbers)| own.numbered(numbers));
+        let numbered = own.into_iter().zip(numbered);
+        points.extend(numbered.map(|(point, modes)| Point { modes, ..point }));
     }
     let mut remarks = remarks(table);
     remarks.extend(case.remarks());

@@ -2,6 +2,7 @@
 
 use num_complex::Complex;
 
+use super::enclosure::Bounds;
 use super::error::StabilityError;
 use super::section::{Parameters, Section};
 
@@ -36,6 +37,15 @@ impl Spectrum {
             rank(a).cmp(&rank(b)).then(frequency).then(real_part)
         });
         Spectrum { eigenvalues }
+    }
+
+    /// That of which one eigenvalue of each pair is given.
+    pub(super) fn of_pairs(found: impl IntoIterator<Item = Eigenvalue>) -> Self {
+        let pair = |own: Eigenvalue| {
+            let conjugate = own.value.conj();
+            [own.value, conjugate].map(|value| Eigenvalue { value, ..own })
+        };
+        Spectrum::new(found.into_iter().flat_map(pair).collect())
     }
 
     /// The largest real part and a bound of its error, in 1/s.
@@ -81,15 +91,16 @@ pub(super) fn damping_coefficient(p: &Parameters, (part, error): (f64, f64)) -> 
 
 /// The best of several approximations: values in units of `unit`, errors as `bounds` finds them.
 ///
-/// The first whose errors are all below [`GOOD`] is taken, otherwise that with the smallest error.
+/// The first whose errors are all below [`GOOD`] is taken, or that are roots as far as is known; otherwise that with
+/// the smallest error.
 pub(super) fn best_spectrum(
     approximations: impl Iterator<Item = Vec<Complex<f64>>>,
-    bounds: impl Fn(&[Complex<f64>]) -> Option<Vec<f64>>,
+    bounds: impl Fn(&[Complex<f64>]) -> Option<Bounds>,
     unit: f64,
 ) -> Result<Spectrum, StabilityError> {
     let mut best: Option<(f64, Vec<Eigenvalue>)> = None;
     for values in approximations {
-        let Some(errors) = bounds(&values) else {
+        let Some(Bounds { errors, are_roots }) = bounds(&values) else {
             continue;
         };
         let worst = errors.iter().copied().fold(0.0, f64::max);
@@ -101,7 +112,7 @@ pub(super) fn best_spectrum(
             };
             best = Some((worst, pairs.map(scaled).collect()));
         }
-        if worst <= GOOD {
+        if worst <= GOOD || are_roots {
             break;
         }
     }

@@ -14,6 +14,17 @@ struct Group {
     centre: Complex<f64>,
     /// `None` if no disc about the centre is known to hold just so many.
     radius: Option<f64>,
+    /// Whether the polynomial is not told from 0 at the centre.
+    is_root: bool,
+}
+
+/// Bounds of the errors of approximate eigenvalues.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Bounds {
+    /// One for each.
+    pub errors: Vec<f64>,
+    /// Whether the polynomial is not told from 0 at any of them: no others are known to be better.
+    pub are_roots: bool,
 }
 
 /// Bounds of the errors of approximate eigenvalues: there is a one-to-one assignment of the exact
@@ -27,30 +38,33 @@ struct Group {
 pub(super) fn error_bounds<T: AsRef<[Ball]>>(
     values: &[Complex<f64>],
     taylor: impl Fn(Complex<f64>) -> T,
-) -> Option<Vec<f64>> {
+) -> Option<Bounds> {
     let group = |members: Vec<usize>| {
         let sum: Complex<f64> = members.iter().map(|&index| values[index]).sum();
         let centre = sum / members.len() as f64;
-        let radius = pellet_radius(taylor(centre).as_ref(), members.len());
+        let about = taylor(centre);
+        let about = about.as_ref();
         Group {
+            radius: pellet_radius(about, members.len()),
+            is_root: about.first().is_none_or(|own| own.smallest() == 0.0),
             members,
             centre,
-            radius,
         }
     };
     let mut groups: Vec<Group> = Vec::with_capacity(values.len());
     for (index, value) in values.iter().enumerate() {
         // The polynomial is real: the disc of a conjugate is as large.
         let known = groups.iter().find(|known| known.centre == value.conj());
-        groups.push(match known.map(|known| known.radius) {
-            Some(radius) => Group {
+        groups.push(match known {
+            Some(known) => Group {
                 members: vec![index],
                 centre: *value,
-                radius,
+                ..*known
             },
             None => group(vec![index]),
         });
     }
+    let are_roots = groups.iter().all(|own| own.is_root);
     // Each round leaves one group less.
     for _ in 0..values.len() {
         let Some((first, second)) = not_apart(&groups) else {
@@ -60,14 +74,14 @@ pub(super) fn error_bounds<T: AsRef<[Ball]>>(
         let members = [std::mem::take(&mut groups[first].members), joined].concat();
         groups[first] = group(members);
     }
-    let mut bounds = vec![f64::INFINITY; values.len()];
+    let mut errors = vec![f64::INFINITY; values.len()];
     for group in &groups {
         for &index in &group.members {
             let distance = (values[index] - group.centre).norm();
-            bounds[index] = (distance + group.radius?) * (1.0 + 8.0 * f64::EPSILON);
+            errors[index] = (distance + group.radius?) * (1.0 + 8.0 * f64::EPSILON);
         }
     }
-    Some(bounds)
+    Some(Bounds { errors, are_roots })
 }
 
 /// Two groups whose discs are not known to be disjoint, the first before the second; for a group
@@ -141,7 +155,9 @@ mod tests {
             list.iter().map(|&(re, im)| Complex::new(re, im)).collect()
         };
         let roots = complex(roots);
-        error_bounds(&complex(values), |point| expanded(&roots, point)).expect("bounds")
+        error_bounds(&complex(values), |point| expanded(&roots, point))
+            .expect("bounds")
+            .errors
     }
 
     #[test]

@@ -64,7 +64,7 @@ impl fmt::Display for Fallback {
 /// aerodynamic stiffness, or where the iteration has no radius; that is told as [`Fallback`].
 pub fn eigenvalues(model: &Model) -> Result<ExactModes, StabilityError> {
     let (fallback, spectrum) = match iterated(model.section()) {
-        Ok(spectrum) => (None, sharper(spectrum, model)),
+        Ok(found) => (None, sharper(Spectrum::of_pairs(found), model)),
         Err(fallback) => (Some(fallback), state_matrix::eigenvalues(model)?),
     };
     Ok(ExactModes { spectrum, fallback })
@@ -77,9 +77,17 @@ pub fn eigenvalues(model: &Model) -> Result<ExactModes, StabilityError> {
 ///
 /// As [`eigenvalues`].
 pub fn eigenvalues_for_tables(model: &Model) -> Result<Spectrum, StabilityError> {
-    let section = model.section();
-    let are_enough = |own: &Spectrum| are_enough(own.damping_coefficient(section));
-    match iterated(section).ok().filter(are_enough) {
+    enough_for_tables(iterated(model.section()).ok(), model)
+}
+
+/// The eigenvalues of which the iteration found one of each pair, if their radii are enough for tables; else as
+/// [`eigenvalues`].
+pub(super) fn enough_for_tables(
+    found: Option<[Eigenvalue; 3]>,
+    model: &Model,
+) -> Result<Spectrum, StabilityError> {
+    let are_enough = |own: &Spectrum| are_enough(own.damping_coefficient(model.section()));
+    match found.map(Spectrum::of_pairs).filter(are_enough) {
         Some(spectrum) => Ok(spectrum),
         None => Ok(eigenvalues(model)?.spectrum),
     }
@@ -98,7 +106,8 @@ fn sharper(spectrum: Spectrum, model: &Model) -> Spectrum {
     best_spectrum(once(values.collect()), bounds, unit).unwrap_or(spectrum)
 }
 
-fn iterated(section: &Section) -> Result<Spectrum, Fallback> {
+/// One of each pair.
+fn iterated(section: &Section) -> Result<[Eigenvalue; 3], Fallback> {
     let p = section.parameters();
     if !p.free.are_all() {
         return Err(Fallback::Held);
@@ -106,13 +115,7 @@ fn iterated(section: &Section) -> Result<Spectrum, Fallback> {
     if p.aerodynamic_stiffness {
         return Err(Fallback::AerodynamicStiffness);
     }
-    let modes = exact_modes(&inputs(section));
-    let found = eigenvalues_of(&modes).ok_or(Fallback::NoRadius)?;
-    let pair = |own: Eigenvalue| {
-        let conjugate = own.value.conj();
-        [own.value, conjugate].map(|value| Eigenvalue { value, ..own })
-    };
-    Ok(Spectrum::new(found.into_iter().flat_map(pair).collect()))
+    eigenvalues_of(&exact_modes(&inputs(section))).ok_or(Fallback::NoRadius)
 }
 
 /// One of each pair, with bounds of their errors; `None` without radii.
@@ -133,11 +136,17 @@ pub fn inputs(section: &Section) -> ExactModesInputs<f64> {
 }
 
 /// The same of numbers that are known to be possible.
-pub(super) fn inputs_of(p: &Parameters) -> ExactModesInputs<f64> {
+fn inputs_of(p: &Parameters) -> ExactModesInputs<f64> {
     let given = given_with_bounds(p, 1.0);
     let s_a = given.scaled_damping();
     let largest = |own: &[Bounded]| own.iter().map(|own| own.error).fold(0.0, f64::max);
     let values = s_a.map(|row| row.map(|own| own.value));
     let open = [largest(&given.mass_centre), largest(s_a.as_flattened())];
     given.map(|own| own.value).exact_modes_inputs(&values, open)
+}
+
+/// What is open of the directions of a section, and of its S_a.
+pub(super) fn open(p: &Parameters) -> [f64; 2] {
+    let inputs = inputs_of(p);
+    [inputs.direction_error, inputs.damping_error]
 }

@@ -84,6 +84,13 @@ impl Parameters {
         let omega = self.natural_frequencies[self.free.as_slice()[0].index()];
         small_quantities(&self.small_quantities_inputs(omega))
     }
+
+    /// A power of 2 near the largest natural frequency of a free coordinate, in rad/s.
+    pub(super) fn frequency_unit(&self) -> f64 {
+        let free = self.free.as_slice().iter();
+        let frequencies = free.map(|free| self.natural_frequencies[free.index()]);
+        frequencies.fold(0.0, f64::max).log2().floor().exp2()
+    }
 }
 
 #[allow(non_snake_case)]
@@ -120,6 +127,15 @@ impl Given<f64> {
             let sum: f64 = angles.iter().copied().sum();
             [sum.cos(), sum.sin()]
         })
+    }
+
+    /// The same with time in units of 1/unit, a power of 2, which rounds nothing.
+    pub fn in_units_of(mut self, unit: f64) -> Self {
+        let p = &mut self.parameters;
+        p.natural_frequencies = p.natural_frequencies.map(|own| own / unit);
+        // The damping of the wind goes with U over the unit of frequency.
+        p.wind_speed /= unit;
+        self
     }
 }
 

@@ -4,36 +4,27 @@ mod rows;
 
 pub use rows::GridRows;
 
-use std::f64::consts::TAU;
 use std::ops::Range;
 
-use sextic_evaluators::exact_modes::Modes;
-
 use super::axis::Axis;
+use super::batch::Batch;
 use super::case::Case;
-use super::closed_form::{Estimate, Estimated};
 use super::coefficient_table::CoefficientTable;
 use super::columns::{Columns, Row};
-use super::companion;
-use super::comparison::{NO_WIND, Value, angle, modes_of};
-use super::coordinate::Coordinate;
-use super::eigenvalue::{Spectrum, damping_coefficient, largest_real_part};
+use super::comparison::{NO_WIND, angle};
 use super::exact_modes;
 use super::given::Given;
 use super::input::{InputError, Place};
 use super::interpolation::CoefficientCurves;
-use super::model::Model;
-use super::section::{Coefficients, Parameters, Section};
-use super::shape::free_shape;
-use super::tracking::mostly;
-use super::uniform_form::uniform_form;
+use super::section::{Coefficients, Section};
+use super::uniform_form::Order;
 use super::variable::Variable;
 
 /// The most points of a grid.
 pub const MOST_POINTS: u64 = 1_000_000_000;
 
 /// The methods that are asked at each point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Methods {
     /// The state matrix, Eq. (16).
     pub exact: bool,
@@ -180,7 +171,7 @@ impl<'a> Grid<'a> {
             self.open = Some(
                 self.angles
                     .iter()
-                    .map(|own| open(&own.parameters))
+                    .map(|own| exact_modes::open(&own.parameters))
                     .collect(),
             );
         }
@@ -344,25 +335,25 @@ impl<'a> Grid<'a> {
     }
 
     fn points(&self, points: Range<u64>) -> GridRows {
-        let columns = self.sections(points.clone());
-        let given = columns.given();
-        let mut space = None;
-        let s_a = given.scaled_damping_columns(&mut space);
+        let batch = self.batch(points.clone());
+        let asked = self.methods;
         let mut found = GridRows {
             values: self.values(&points),
             ..GridRows::default()
         };
-        if self.methods.closed {
-            found.closed = given.closed_forms(&s_a);
-        }
-        if self.methods.exact {
+        if asked.exact {
             let [direction, damping] = self.open(&points);
-            let modes = given.exact_modes(&s_a, [&direction, &damping]);
-            let modes = modes.iter().enumerate();
-            let exact = modes.map(|(row, modes)| exact(&columns.row(row), modes));
-            (found.exact, found.critical) = exact.unzip();
+            (found.exact, found.critical) = batch.exact([&direction, &damping]);
         }
-        self.complete(&columns, &mut found);
+        if asked.companion {
+            found.companion = batch.companion();
+        }
+        if asked.closed {
+            found.closed = batch.closed_forms();
+        }
+        if asked.uniform {
+            [found.uniform] = batch.uniform_forms([Order::Second]);
+        }
         found
     }
 
@@ -382,6 +373,10 @@ impl<'a> Grid<'a> {
     }
 
     /// The sections of points.
+    pub(super) fn batch(&self, points: Range<u64>) -> Batch {
+        Batch::new(self.sections(points))
+    }
+
     fn sections(&self, points: Range<u64>) -> Columns {
         let mut columns = Columns::like(&self.angles[0], (points.end - points.start) as usize);
         let Some(moved) = &self.moved else {
@@ -404,11 +399,11 @@ impl<'a> Grid<'a> {
     }
 
     /// What is open of directions, and of S_a.
-    fn open(&self, points: &Range<u64>) -> [Vec<f64>; 2] {
+    pub(super) fn open(&self, points: &Range<u64>) -> [Vec<f64>; 2] {
         let angles = self.angles.len() as u64;
         let open = |point: u64| match &self.open {
             Some(known) => known[(point % angles) as usize],
-            None => open(&self.given(point).parameters),
+            None => exact_modes::open(&self.given(point).parameters),
         };
         let (directions, damping) = points.clone().map(|point| open(point).into()).unzip();
         [directions, damping]
@@ -433,84 +428,6 @@ impl<'a> Grid<'a> {
     fn row_of(&self, point: u64) -> Row {
         self.given(point).flattened().1
     }
-
-    /// What the methods say that take one section at a time, and the exact eigenvalues where the iteration has none.
-    fn complete(&self, columns: &Columns, found: &mut GridRows) {
-        let rows = columns.given().rows();
-        let Methods {
-            companion, uniform, ..
-        } = self.methods;
-        found.companion = vec![None; if companion { rows } else { 0 }];
-        found.uniform = vec![Estimated::default(); if uniform { rows } else { 0 }];
-        for row in 0..rows {
-            let is_open = found.exact.get(row) == Some(&None);
-            if is_open || companion || uniform {
-                complete_row(&columns.row(row).parameters, row, found);
-            }
-        }
-    }
-}
-
-fn complete_row(parameters: &Parameters, row: usize, found: &mut GridRows) {
-    let model = Section::new(*parameters).and_then(|section| Model::new(&section));
-    let Ok(model) = model else {
-        return;
-    };
-    if let Some(own) = found.uniform.get_mut(row) {
-        *own = Estimate::new(parameters, uniform_form(&model)).estimated();
-    }
-    if let Some(own) = found.companion.get_mut(row) {
-        let spectrum = companion::eigenvalues(&model).ok();
-        *own = spectrum.and_then(|spectrum| coefficient(&spectrum, &model));
-    }
-    if let Some(own @ None) = found.exact.get_mut(row)
-        && let Ok(modes) = exact_modes::eigenvalues(&model)
-    {
-        *own = coefficient(&modes.spectrum, &model);
-        found.critical[row] = critical(&modes.spectrum, &model);
-    }
-}
-
-/// S by a spectrum.
-fn coefficient(spectrum: &Spectrum, model: &Model) -> Option<Value> {
-    let (value, error) = spectrum.damping_coefficient(model.section())?;
-    Some(Value { value, error })
-}
-
-/// The frequency of the mode with the least damping, and the coordinate that moves most in it.
-fn critical(spectrum: &Spectrum, model: &Model) -> Option<(f64, Coordinate)> {
-    let modes = modes_of(model, spectrum).into_iter().map(|(mode, _)| mode);
-    let critical = modes.max_by(|one, other| one.value.re.total_cmp(&other.value.re))?;
-    Some((critical.frequency(), critical.mostly(model.section())))
-}
-
-/// What is open of the directions of a section, and of its S_a.
-fn open(parameters: &Parameters) -> [f64; 2] {
-    let inputs = exact_modes::inputs_of(parameters);
-    [inputs.direction_error, inputs.damping_error]
-}
-
-/// S by exact modes, and the mode with the least damping; `None` where they do not apply, or their radii are too large.
-fn exact(given: &Given<f64>, modes: &Modes<f64>) -> (Option<Value>, Option<(f64, Coordinate)>) {
-    let p = &given.parameters;
-    let apply = p.free.are_all() && !p.aerodynamic_stiffness;
-    let Some(found) = exact_modes::eigenvalues_of(modes).filter(|_| apply) else {
-        return (None, None);
-    };
-    let coefficient = damping_coefficient(p, largest_real_part(&found));
-    if !exact_modes::are_enough(coefficient) {
-        return (None, None);
-    }
-    let values = found.iter().map(|own| own.value);
-    let critical = values.max_by(|one, other| one.re.total_cmp(&other.re));
-    let critical = critical.map(|own| {
-        let shape = free_shape(given, own);
-        (own.im / TAU, mostly(p.free.as_slice(), &shape))
-    });
-    (
-        coefficient.map(|(value, error)| Value { value, error }),
-        critical,
-    )
 }
 
 /// The values of an axis at points, of which so many have the same.

@@ -82,7 +82,7 @@ const NAMES: [&str; 8] = [
 /// use sextic::stability::limitation::{Limitation, Limits};
 ///
 /// let found = [Limitation::StrongDamping { damping: 0.2 }, Limitation::StructuralDamping];
-/// assert_eq!(found.iter().collect::<Limits>().words(), "damped strong");
+/// assert_eq!(found.into_iter().collect::<Limits>().words(), "damped strong");
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Limits(u8);
@@ -102,8 +102,8 @@ fn words(bits: u8) -> String {
     own.map(|(_, name)| *name).collect::<Vec<_>>().join(" ")
 }
 
-impl<'a> FromIterator<&'a Limitation> for Limits {
-    fn from_iter<I: IntoIterator<Item = &'a Limitation>>(limitations: I) -> Self {
+impl FromIterator<Limitation> for Limits {
+    fn from_iter<I: IntoIterator<Item = Limitation>>(limitations: I) -> Self {
         let bits = limitations.into_iter().map(|own| 1 << own.place());
         Limits(bits.fold(0, |all, own| all | own))
     }

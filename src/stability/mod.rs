@@ -5,6 +5,7 @@
 mod approximation;
 pub mod axis;
 mod ball;
+mod batch;
 mod bernstein;
 pub mod case;
 pub mod closed_form;

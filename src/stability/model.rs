@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Neg};
 
-use nalgebra::{DMatrix, Matrix3};
+use nalgebra::DMatrix;
 use sextic_evaluators::bounded::Bounded;
 
 use super::ball::{Ball, cosine_and_sine};
@@ -42,9 +42,7 @@ impl Model {
     /// [`StabilityError::OutOfRange`] if a matrix overflows.
     pub fn new(section: &Section) -> Result<Self, StabilityError> {
         let frequencies = section.parameters().natural_frequencies;
-        let free = section.free().iter().map(|free| free.index());
-        let largest = free.map(|i| frequencies[i]).fold(0.0, f64::max);
-        let unit = largest.log2().floor().exp2();
+        let unit = section.parameters().frequency_unit();
         let own = given_with_bounds(section.parameters(), unit)
             .equations()
             .map(|own| Ball::from(*own));
@@ -152,32 +150,6 @@ impl Model {
             .view_mut((n, n), (n, n))
             .copy_from(&(-&inverse * damping));
         matrix
-    }
-
-    /// M for three free coordinates, scaled.
-    pub(super) fn scaled_mass(&self) -> Matrix3<f64> {
-        Matrix3::from_fn(|i, j| self.mass[i][j].centre.re)
-    }
-
-    /// The median ω_0 of three natural frequencies, and K − ω_0² M, scaled, where nearly equal frequencies lose
-    /// no digits.
-    pub(super) fn shifted_stiffness(&self) -> (f64, Matrix3<f64>) {
-        let omega = self.frequencies.map(|own| own.centre.im);
-        let [x, y, theta] = omega;
-        let median = x.min(y).max(x.max(y).min(theta));
-        let entry = |i: usize, j: usize| match i == j {
-            true => (omega[i] - median) * (omega[i] + median),
-            false => -median * median * self.mass[i][j].centre.re,
-        };
-        (median, Matrix3::from_fn(entry))
-    }
-
-    /// C_s + C_a for three free coordinates, scaled.
-    pub(super) fn scaled_damping(&self) -> Matrix3<f64> {
-        let damping = |i: usize, j: usize| {
-            self.structural_damping[i][j].centre.re + self.aerodynamic_damping[i][j].centre.re
-        };
-        Matrix3::from_fn(damping)
     }
 
     /// c²M + cC + K, 2cM + C and M: the coefficients of B(c + μ) in powers of μ, where

@@ -2,8 +2,9 @@
 
 use rayon::prelude::*;
 
+use super::batch::Batch;
 use super::case::Case;
-use super::comparison::{Answers, FollowedMode, Following, Point};
+use super::comparison::{FollowedMode, Following, Modes};
 use super::error::StabilityError;
 use super::section::{Coefficients, Parameters, Section};
 
@@ -32,20 +33,24 @@ pub fn against_offset(
     steps: usize,
 ) -> Result<Vec<OffsetPoint>, StabilityError> {
     let eccentricity = |step: usize| largest * step as f64 / steps.max(1) as f64;
-    let answers = |step: usize| {
-        let parameters = Parameters {
+    let section = |step: usize| {
+        Section::new(Parameters {
             mass_centre_distance: eccentricity(step) * case.parameters.radius_of_gyration,
             ..*case.section(angle, coefficients)?.parameters()
-        };
-        Ok((angle, Answers::new(&Section::new(parameters)?)?))
+        })
     };
-    let answered: Vec<_> = (0..=steps).into_par_iter().map(answers).collect();
+    let sections: Vec<Section> = (0..=steps).map(section).collect::<Result<_, _>>()?;
+    let found = Batch::of(&sections).own_eigenvalues();
+    let modes = sections.par_iter().zip(found);
+    let modes: Vec<_> = modes
+        .map(|(section, found)| Modes::new(section, found))
+        .collect();
     // The first error, not the one that was found first.
-    let answered: Result<Vec<_>, StabilityError> = answered.into_iter().collect();
-    let points = Following::default().points(answered?);
-    let offset = |(step, point): (usize, Point)| OffsetPoint {
+    let modes: Vec<Modes> = modes.into_iter().collect::<Result<_, _>>()?;
+    let numbers = Following::default().numbers(&modes);
+    let point = |((step, modes), numbers): ((usize, &Modes), &Vec<usize>)| OffsetPoint {
         eccentricity: eccentricity(step),
-        modes: point.modes,
+        modes: modes.numbered(numbers),
     };
-    Ok(points.into_iter().enumerate().map(offset).collect())
+    Ok(modes.iter().enumerate().zip(&numbers).map(point).collect())
 }

@@ -42,7 +42,7 @@ pub fn error_bounds_of(model: &Model, values: &[Complex<f64>; 3]) -> [Option<f64
     let six = [a, b, c, a.conj(), b.conj(), c.conj()];
     let bounds = error_bounds(&six, |point| model.taylor(Ball::exact(point)));
     [0, 1, 2].map(|place| {
-        let bound = bounds.as_ref()?[place] * model.frequency_unit;
+        let bound = bounds.as_ref()?.errors[place] * model.frequency_unit;
         bound.is_finite().then_some(bound)
     })
 }

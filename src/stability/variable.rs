@@ -42,6 +42,20 @@ impl Variable {
         quantities: &[],
     };
 
+    /// L_g, in m.
+    pub(super) const MASS_CENTRE_DISTANCE: Variable = Variable {
+        name: "L_g",
+        unit: Unit::Metre,
+        quantities: &[Quantity::L_g],
+    };
+
+    /// U, in m/s.
+    pub(super) const WIND_SPEED: Variable = Variable {
+        name: "U",
+        unit: Unit::MetrePerSecond,
+        quantities: &[Quantity::U],
+    };
+
     /// All of them.
     pub fn all() -> impl Iterator<Item = Self> {
         let are_alike = |one: &Quantity, other: &Quantity| {

@@ -93,7 +93,11 @@ pub fn verdict(section: &Section, spectrum: &Spectrum) -> Verdict {
 
 /// The verdict that the errors of eigenvalues allow; `None` where they leave it open.
 pub fn verdict_by_errors(spectrum: &Spectrum) -> Option<Verdict> {
-    let (part, error) = spectrum.largest_real_part();
+    by_errors(spectrum.largest_real_part())
+}
+
+/// The verdict that the largest real part allows, with a bound of its error.
+pub(super) fn by_errors((part, error): (f64, f64)) -> Option<Verdict> {
     if part > error {
         Some(Verdict::Unstable(Proof::Errors))
     } else if part < -error {

@@ -12,13 +12,14 @@ use sextic::stability::interpolation::CoefficientCurves;
 use sextic::stability::limitation::Limits;
 use sextic::stability::model::Model;
 use sextic::stability::section::Section;
+use sextic::stability::uniform_form::uniform_form;
 use sextic::stability::variable::Variable;
 
 const ALL: Methods = Methods {
     exact: true,
     companion: false,
     closed: true,
-    uniform: false,
+    uniform: true,
 };
 
 fn case(name: &str) -> (Case, CoefficientTable) {
@@ -72,17 +73,23 @@ fn are_those_alone(found: &GridRows, sections: &[Section], range: Range<usize>) 
         let (value, limits) = match closed_form(section) {
             Ok(form) => (
                 section.damping_coefficient(form.largest_real_part()),
-                form.warnings.iter().collect::<Limits>(),
+                form.warnings.into_iter().collect::<Limits>(),
             ),
-            Err(limitation) => (None, [limitation].iter().collect()),
+            Err(limitation) => (None, [limitation].into_iter().collect()),
         };
         assert_eq!(found.closed[row].value, value, "{section:?}");
         assert_eq!(
-            found.closed[row].limits.words(),
+            found.closed[row].limitations.words(),
             limits.words(),
             "{section:?}"
         );
         let model = Model::new(section).expect("a model");
+        let uniform = uniform_form(&model).expect("it applies");
+        let part = uniform.largest_real_part();
+        let own = &found.uniform[row];
+        assert_eq!(own.value, section.damping_coefficient(part), "{section:?}");
+        let warnings = uniform.warnings.into_iter().collect::<Limits>();
+        assert_eq!(own.limitations.words(), warnings.words(), "{section:?}");
         let spectrum = exact_modes::eigenvalues_for_tables(&model).expect("eigenvalues");
         let exact = spectrum.damping_coefficient(section);
         assert_eq!(

@@ -4,8 +4,9 @@ use std::cmp::Ordering;
 use std::fmt;
 use std::mem::discriminant;
 
-use super::point::{Point, Value};
+use super::point::Point;
 use super::range::{AngleRange, ranges};
+use super::value::Value;
 use crate::stability::closed_form::Estimate;
 use crate::stability::limitation::Limitation;
 

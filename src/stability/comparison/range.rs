@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-use super::point::{FollowedMode, Point, Value};
+use super::following::FollowedMode;
+use super::point::Point;
+use super::value::Value;
 use crate::stability::verdict::Verdict;
 
 /// From one angle of a sweep to another, both included, in degrees.

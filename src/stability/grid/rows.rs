@@ -1,8 +1,9 @@
 //! What the methods say at points of a grid.
 
-use crate::stability::closed_form::Estimated;
+use crate::stability::closed_form::Estimate;
 use crate::stability::comparison::Value;
 use crate::stability::coordinate::Coordinate;
+use crate::stability::limitation::Limits;
 
 /// What the methods say at points of a grid: a column a method, empty unless it is asked.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -14,9 +15,9 @@ pub struct GridRows {
     /// S by the companion matrix.
     pub companion: Vec<Option<Value>>,
     /// S by the closed forms (21)–(23).
-    pub closed: Vec<Estimated>,
+    pub closed: Vec<Estimate<Limits>>,
     /// S by the uniform form.
-    pub uniform: Vec<Estimated>,
+    pub uniform: Vec<Estimate<Limits>>,
     /// The frequency in Hz of the mode with the least damping, and the coordinate that moves most in it: asked for
     /// with the exact eigenvalues.
     pub critical: Vec<Option<(f64, Coordinate)>>,
@@ -68,7 +69,7 @@ impl GridRows {
     fn leading(&self) -> Vec<f64> {
         let values =
             |own: &[Option<Value>]| own.iter().map(|own| own.map(|own| own.value)).collect();
-        let estimates = |own: &[Estimated]| own.iter().map(|own| own.value).collect();
+        let estimates = |own: &[Estimate<Limits>]| own.iter().map(|own| own.value).collect();
         let columns: [Vec<Option<f64>>; 4] = [
             values(&self.exact),
             values(&self.companion),

@@ -124,7 +124,7 @@ impl Instance<'_> {
         let polynomial = self.scaled_polynomial(block, pencil, &intervals)?;
         let none = || vec![Ball::ZERO; polynomial.len()];
         let about = |point| taylor(&polynomial, point, &intervals).unwrap_or_else(none);
-        let errors = error_bounds(values, about)?;
+        let errors = error_bounds(values, about)?.errors;
         let enclosed = |(value, radius): (&Complex<f64>, &f64)| Enclosed {
             value: *value,
             radius: *radius,
