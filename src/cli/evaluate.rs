@@ -1,6 +1,6 @@
 //! `sextic evaluate`: what a document derives, at one point.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use clap::Args;
 use sextic_codegen::arithmetic::doubles;
@@ -9,7 +9,6 @@ use sextic_codegen::language::literal::Decimal;
 use crate::compile::fixed::Fixed;
 use crate::compile::generation::{Failure, specifications};
 use crate::compile::specification::Specification;
-use crate::derivation::scope::{Meaning, SymbolKind};
 use crate::report::evaluation::Evaluation;
 use crate::report::{json, text};
 use crate::verdict::audit::Audit;
@@ -18,12 +17,14 @@ use super::Outcome;
 use super::generate::{FixedParser, differs, mistaken, refused, unknown};
 use super::output::{Results, complain, finish, width, wrong};
 use super::source::{Audited, audit_all};
+use super::vocabulary::Vocabulary;
 
 /// Computes what a document derives, at one point
 ///
 /// The evaluators are those that `sextic generate` writes, and the numbers are the same bit for bit.
 /// What the document says of an evaluator, such as where its formula may be used, stands above them.
-/// Quantities are in SI units, angles in radians; numbers are decimals or fractions.
+/// Quantities are in SI units, angles in radians; `alpha_deg` is alpha in degrees, and `f_x` omega_x in
+/// hertz. Numbers are decimals or fractions.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
@@ -134,7 +135,9 @@ fn evaluate(name: &str, set: &[Fixed], audit: &Audit) -> Result<Evaluation, Outc
         Ok(None) => return Err(failed(&Failure::NoEvaluator, audits)),
         Err(failure) => return Err(failed(&failure, audits)),
     };
-    let values = values(set, &specification, audit)?;
+    let known = Vocabulary::of([audit]);
+    let set: Vec<Fixed> = set.iter().map(|own| known.in_si(own)).collect();
+    let values = values(&set, &specification, &known)?;
     let numbers: Vec<&Fixed> = set.iter().collect();
     specification
         .admit(&numbers)
@@ -171,14 +174,13 @@ fn evaluate(name: &str, set: &[Fixed], audit: &Audit) -> Result<Evaluation, Outc
 fn values(
     set: &[Fixed],
     specification: &Specification,
-    audit: &Audit,
+    known: &Vocabulary,
 ) -> Result<BTreeMap<String, f64>, Outcome> {
-    let known = known_names(audit);
     let mut values = BTreeMap::new();
     for number in set {
         let name = &number.name;
         if !specification.rests_on(name) && !known.contains(name) {
-            let names: Vec<String> = known.iter().cloned().collect();
+            let names: Vec<String> = known.names().cloned().collect();
             return Err(unknown(
                 &format!("nothing is called `{name}`"),
                 name,
@@ -210,23 +212,4 @@ fn values(
             "`--set name=value`; `sextic evaluate --list` says what they are",
         )),
     }
-}
-
-/// The names of the quantities of a document.
-fn known_names(audit: &Audit) -> BTreeSet<String> {
-    let mut names = BTreeSet::new();
-    for entry in audit.elaborator.scope.entries() {
-        match &entry.meaning {
-            Meaning::Symbol {
-                kind: SymbolKind::Parameter | SymbolKind::Complex | SymbolKind::Angle,
-                ..
-            } => drop(names.insert(entry.name.ascii.clone())),
-            Meaning::Function { .. } => {
-                names.insert(entry.name.ascii.clone());
-                names.insert(format!("d{}", entry.name.ascii));
-            }
-            _ => {}
-        }
-    }
-    names
 }

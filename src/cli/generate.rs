@@ -22,6 +22,7 @@ use super::Outcome;
 use super::folder::{self, State, Trouble, Written};
 use super::output::{complain, finish, wrong};
 use super::source::{Audited, audit_all};
+use super::vocabulary::Vocabulary;
 
 /// Writes what a document derives as source text, proven equal to the derivation
 ///
@@ -160,7 +161,10 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let order = Order {
         document: arguments.document.clone(),
         names: arguments.only.clone(),
-        fixed: arguments.fix.clone(),
+        fixed: {
+            let known = Vocabulary::of(&audits);
+            arguments.fix.iter().map(|own| known.in_si(own)).collect()
+        },
         language: arguments.language,
         points: arguments.points as usize,
     };

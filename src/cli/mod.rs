@@ -38,6 +38,7 @@ mod system;
 mod validity;
 #[cfg(feature = "stability")]
 mod view;
+mod vocabulary;
 
 use std::process::ExitCode;
 

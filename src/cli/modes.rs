@@ -34,7 +34,7 @@ use super::Outcome;
 use super::case::case_and_table;
 use super::generate::{FixedParser, unknown};
 use super::output::{Results, finish, wrong};
-use super::system::{Chosen, Which, numbers, refuse};
+use super::system::{Chosen, Which, refuse};
 
 /// Computes the modes of one section in the wind, or of a system that a document derives
 ///
@@ -225,9 +225,10 @@ fn of_system(arguments: &Arguments) -> Result<ModesFound, Outcome> {
             "leave `--aerodynamic-stiffness` away",
         ));
     }
-    let values = numbers(&arguments.set, &[])?;
     let document = arguments.document.as_deref();
-    let Chosen { system, shown } = arguments.which.choose(document, &[&arguments.set])?;
+    let chosen = arguments.which.choose(document, &[&arguments.set])?;
+    let values = chosen.numbers(&arguments.set, &[])?;
+    let Chosen { system, shown, .. } = chosen;
     let instance = system.at(&values).map_err(|error| refuse(&error))?;
     let modes = match arguments.method {
         Method::Companion => by_companion(&instance)?,
@@ -291,7 +292,7 @@ fn found(arguments: &Arguments) -> Result<ModesFound, Outcome> {
     if !missing.is_empty() {
         return Err(wrong(
             &format!("the modes need {} too", missing.join(", ")),
-            "`--set name=value`, in SI units and radians",
+            "`--set name=value`, in SI units and radians, or by `name_deg` in degrees",
         ));
     }
     let aerodynamic_stiffness = arguments.aerodynamic_stiffness;

@@ -16,7 +16,7 @@ use super::Outcome;
 use super::case::{case_and_table, refuse};
 use super::generate::FixedParser;
 use super::output::wrong;
-use super::system::{Which, is_document, numbers, with};
+use super::system::{Which, is_document, named, with};
 use super::view::View;
 
 /// Finds the critical wind speeds of a case, or critical values of any quantity of a system
@@ -99,12 +99,17 @@ fn of_system(arguments: &Arguments) -> Outcome {
     };
     let found = || {
         let document = arguments.input.as_ref().map(|path| path.to_string_lossy());
-        let values = numbers(&arguments.set, &[name])?;
         let ends = [from, to].map(|end| with(&arguments.set, name, end));
         let chosen = arguments
             .which
             .choose(document.as_deref(), &[&ends[0], &ends[1]])?;
-        let ranges = chosen.system.critical(&values, name, from, to);
+        let end = |value: &Rational| chosen.vocabulary.in_si(&named(name, value));
+        let [from, to] = [from, to].map(end);
+        let name = &from.name;
+        let values = chosen.numbers(&arguments.set, &[name])?;
+        let ranges = chosen
+            .system
+            .critical(&values, name, &from.value, &to.value);
         Ok(RangesFound {
             system: chosen.system.evaluator.name.clone(),
             over: name.clone(),

@@ -47,7 +47,9 @@ A case file:
   L_a = 0.03                      # to the aerodynamic centre in m
   gamma_r_deg = 0                 # and its angle in degrees
   coefficients = \"table.csv\"      # with the columns alpha_deg, CL, CD, CM
-  interpolation = \"cubic\"         # or \"linear\": a slope for each cell, at a row that above it
+  interpolation = \"cubic\"         # or \"linear\": a slope for each cell, at a row that above it;
+                                  # \"smooth\": no closer to the table than this scatters
+  errors = { CD = 0.02, CL = 0.02, CM = 0.005 }  # of the coefficients; may be left out
   [structure]
   f_x = 0.96                      # frequencies in Hz
   f_y = 0.845
@@ -67,7 +69,11 @@ A case file:
 A table names its columns in a row by their usual names (alpha_deg, AoA, alpha [rad]; CL, Cl, C_L;
 CD; CM), separated by commas, semicolons, tabs or blanks. A row of units, comments (#, !, %, //),
 other columns, any order of rows and rows that are repeated are read over, and said; polars of
-AeroDyn are such tables.
+AeroDyn are such tables. Columns CD_error, CL_error and CM_error have errors of the coefficients.
+
+Where the coefficients have errors, each angle also has a verdict for all coefficients within them:
+stable, unstable, depends (two were found, one stable and one not) or open (none of these is shown).
+Slopes are off by what the errors of the rows around an angle make of them.
 
 Signs: the wind blows along (cos alpha_0, sin alpha_0) in the plane of x and y. Positive theta moves
 a point at the distance L and the angle beta from the elastic centre O, at (-L cos beta, L sin
@@ -93,6 +99,8 @@ or a number of which no digit is certain):
   doubles: by the errors, or by exact arithmetic
   mode, frequency_hz: number and frequency of the mode with the least damping
   s_mode_1, frequency_hz_mode_1 and so on: S and frequency of every mode
+  within_errors, s3d_least, s3d_most, where the coefficients have errors: the verdict for all of
+  them, and between which numbers S is then
 
 Exit status:
   0  the case was computed, whether the section gallops or not

@@ -24,7 +24,7 @@ use super::Outcome;
 use super::case::{refuse, set_case_and_files, warn};
 use super::generate::FixedParser;
 use super::output::wrong;
-use super::system::{Which, is_document, numbers, with};
+use super::system::{Which, is_document, with};
 
 use self::written::written;
 
@@ -149,17 +149,29 @@ fn of_system(arguments: &Arguments) -> Result<Outcome, Outcome> {
         .map(|own| Name::new(&own.name).ascii)
         .collect();
     let moving: Vec<&str> = names.iter().map(String::as_str).collect();
-    let values = numbers(&arguments.set, &moving)?;
     let [first, last] = [true, false].map(|is_first| end(arguments, &moving, is_first));
     let document = arguments.input.as_ref().map(|path| path.to_string_lossy());
     let chosen = arguments
         .which
         .choose(document.as_deref(), &[&first, &last])?;
-    let axes = arguments.vary.iter().zip(&names).map(|(own, name)| {
-        let values = spaced(name, own.from, own.to, own.count)?;
-        let name = name.clone();
-        Ok(SweepAxis { name, values })
-    });
+    let known: Vec<(String, f64)> = names
+        .iter()
+        .map(|name| {
+            let renamed = chosen.vocabulary.renamed(name);
+            renamed.unwrap_or_else(|| (name.clone(), 1.0))
+        })
+        .collect();
+    let moving: Vec<&str> = known.iter().map(|(name, _)| name.as_str()).collect();
+    let values = chosen.numbers(&arguments.set, &moving)?;
+    let axes = arguments
+        .vary
+        .iter()
+        .zip(&known)
+        .map(|(own, (name, factor))| {
+            let values = spaced(name, own.from * *factor, own.to * factor, own.count)?;
+            let name = name.clone();
+            Ok(SweepAxis { name, values })
+        });
     let axes: Result<Vec<SweepAxis>, String> = axes.collect();
     let axes = axes.map_err(|message| wrong(&message, FORM))?;
     let sweep = chosen.system.sweep(&values, axes);

@@ -18,6 +18,7 @@ use super::Outcome;
 use super::generate::{differs, mistaken, refused, unknown};
 use super::output::wrong;
 use super::source::{Audited, audit_all};
+use super::vocabulary::Vocabulary;
 
 /// Which system of which document.
 #[derive(Args, Debug)]
@@ -33,6 +34,8 @@ pub struct Chosen {
     pub system: System,
     /// Its coordinates as the document writes them.
     pub shown: Vec<String>,
+    /// The names of the quantities of its document.
+    pub vocabulary: Vocabulary,
 }
 
 impl Which {
@@ -56,13 +59,16 @@ impl Which {
             return Err(differs(audit));
         }
         let mut compiled = compiled(&stated, None, audit)?;
+        let vocabulary = Vocabulary::of([audit]);
         for point in points {
-            admit(&mut compiled, point, audit)?;
+            let point: Vec<Fixed> = point.iter().map(|own| vocabulary.in_si(own)).collect();
+            admit(&mut compiled, &point, audit)?;
         }
         let shown = stated.coordinates.iter();
         Ok(Chosen {
             system: in_numbers(compiled),
             shown: shown.map(|name| name.value.unicode.clone()).collect(),
+            vocabulary,
         })
     }
 
@@ -155,12 +161,28 @@ pub fn is_document(input: Option<&Path>, which: &Which) -> bool {
     is_markdown || which.system.is_some() && !is_case
 }
 
+impl Chosen {
+    /// The numbers by the names of the document, in SI units and radians; others are given in another way.
+    ///
+    /// # Errors
+    ///
+    /// As [`numbers`].
+    pub fn numbers(
+        &self,
+        set: &[Fixed],
+        moving: &[&str],
+    ) -> Result<BTreeMap<String, Rational>, Outcome> {
+        let set: Vec<Fixed> = set.iter().map(|own| self.vocabulary.in_si(own)).collect();
+        numbers(&set, moving)
+    }
+}
+
 /// The numbers by name; others are given in another way.
 ///
 /// # Errors
 ///
 /// The outcome, after it was written that one is set twice, or moves.
-pub fn numbers(set: &[Fixed], moving: &[&str]) -> Result<BTreeMap<String, Rational>, Outcome> {
+fn numbers(set: &[Fixed], moving: &[&str]) -> Result<BTreeMap<String, Rational>, Outcome> {
     let mut values = BTreeMap::new();
     if let Some(both) = set.iter().find(|own| moving.contains(&own.name.as_str())) {
         let name = &both.name;
@@ -179,19 +201,23 @@ pub fn numbers(set: &[Fixed], moving: &[&str]) -> Result<BTreeMap<String, Ration
 
 /// Numbers and one more.
 pub fn with(set: &[Fixed], name: &str, value: &Rational) -> Vec<Fixed> {
-    let more = Fixed {
+    set.iter().cloned().chain([named(name, value)]).collect()
+}
+
+/// A number with a name.
+pub fn named(name: &str, value: &Rational) -> Fixed {
+    Fixed {
         name: name.to_string(),
         value: value.clone(),
         text: value.to_string(),
-    };
-    set.iter().cloned().chain([more]).collect()
+    }
 }
 
 /// Writes why a system has no numbers.
 pub fn refuse(error: &SystemError) -> Outcome {
     let help = match error {
         SystemError::Missing { .. } | SystemError::Unknown { .. } => {
-            "`--set name=value`, in SI units and radians"
+            "`--set name=value`, in SI units and radians; `name_deg` is in degrees"
         }
         _ => "quantities are in SI units, angles in radians",
     };

@@ -123,7 +123,9 @@ impl Figure {
     fn ranges(&self) -> [Range<f64>; 2] {
         let points = || {
             let curves = self.curves.iter().flat_map(|curve| &curve.pieces);
-            curves.flatten().chain(self.corners.iter().flatten())
+            let patches = self.patches.iter().flat_map(|patch| &patch.pieces);
+            let corners = self.corners.iter().flatten();
+            curves.chain(patches).flatten().chain(corners)
         };
         let x = extent(points().map(|point| point.0));
         // What is shaded ends at 0.

@@ -56,7 +56,17 @@ pub fn figure(comparison: &Comparison) -> Figure {
 fn band(comparison: &Comparison) -> Option<Patch> {
     let within = comparison.within.as_ref();
     let within = within.filter(|own| own.cause == Cause::Errors)?;
-    let ends = |place: usize| within.tolerances[place].damping;
+    let values = || comparison.points.iter().map(|point| point.exact.value);
+    let (least, most) = (
+        values().fold(f64::INFINITY, f64::min),
+        values().fold(f64::NEG_INFINITY, f64::max),
+    );
+    // More than the curve spans is not seen, so that the curve is.
+    let [below, above] = [2.0 * least - most, 2.0 * most - least];
+    let ends = |place: usize| {
+        let ends = within.tolerances[place].damping?;
+        Some(ends.map(|own| own.clamp(below, above)))
+    };
     let places: Vec<usize> = (0..comparison.points.len()).collect();
     let runs = places.chunk_by(|one, other| ends(*one).is_some() == ends(*other).is_some());
     let around = |run: &[usize]| -> Vec<(f64, f64)> {
@@ -69,7 +79,7 @@ fn band(comparison: &Comparison) -> Option<Patch> {
     };
     let pieces: Vec<Vec<(f64, f64)>> = runs.map(around).filter(|own| own.len() > 2).collect();
     (!pieces.is_empty()).then(|| Patch {
-        label: "within the errors of the coefficients".into(),
+        label: "within the errors".into(),
         fill: Fill::Dark,
         pieces,
     })

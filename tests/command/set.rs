@@ -197,3 +197,59 @@ fn what_cannot_be_set_is_said() {
         assert!(errors.contains(message), "{arguments:?}: {errors}");
     }
 }
+
+#[test]
+fn angles_are_given_in_degrees_and_frequencies_in_hertz_to_documents_too() {
+    let folder = folder("vocabulary");
+    let document = folder.join("oscillator.md");
+    let text = "# An oscillator\n\n```sextic\nparameter m : kg > 0\nparameter omega_x : rad/s > 0\n\
+        parameter c : kg/s\nangle alpha\ncoordinate x : m\n\
+        system (1) oscillator: mass [m] damping [c*cos(alpha)] stiffness [m*omega_x^2] in x\n\
+        evaluator (2) part: k = m*omega_x^2*cos(alpha)\nclaim (1): m == m\n```\n";
+    std::fs::write(&document, text).expect("a document");
+    let document = document.to_str().expect("a path");
+    let lines = |arguments: &[&str]| {
+        let (status, out, err) = run(arguments);
+        assert_eq!(status, Some(0), "{err}");
+        out
+    };
+    // π/3, and 2π.
+    let radians = [
+        "--set",
+        "alpha=1.0471975511965976",
+        "--set",
+        "omega_x=6.283185307179586",
+    ];
+    let degrees = ["--set", "alpha_deg=60", "--set", "f_x=1"];
+    let own = ["--set", "m=2", "--set", "c=1"];
+    for command in ["modes", "evaluate"] {
+        let first: &[&str] = match command {
+            "modes" => &["modes", document],
+            _ => &["evaluate", "--document", document, "part"],
+        };
+        let both = [&radians, &degrees].map(|angles| {
+            let set: &[&str] = if command == "modes" { &own } else { &own[..2] };
+            lines(&[first, set, &angles[..]].concat())
+        });
+        assert_eq!(both[0], both[1], "{command}");
+    }
+    let over = |over: &str, set: &[&str]| {
+        let first = ["speeds", document, "--over", over];
+        lines(&[&first[..], &own, set].concat())
+    };
+    assert_eq!(
+        over("alpha_deg=0:180", &degrees[2..]),
+        over("alpha=0:3.141592653589793", &radians[2..])
+    );
+    let sweep = |vary: &str, set: &[&str]| {
+        let first = ["sweep", document, "--vary", vary];
+        lines(&[&first[..], &own, set].concat())
+    };
+    assert_eq!(
+        sweep("f_x=1:2:2", &degrees[..2]),
+        sweep(
+            "omega_x=6.283185307179586:12.566370614359172:2",
+            &radians[..2]
+        )
+    );
+}

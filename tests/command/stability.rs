@@ -164,3 +164,68 @@ fn results_that_find_no_room_are_an_error() {
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).contains("standard output cannot be written"));
 }
+
+#[test]
+fn what_errors_leave_open_is_not_called_certain() {
+    let case = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/derivations/cases/scattered.toml"
+    );
+    let arguments = ["stability", case, "--set", "U=14", "--format"];
+    let (status, csv, _) = run(&[&arguments[..], &["csv"]].concat());
+    assert_eq!(status, Some(0));
+    assert!(
+        csv.lines()
+            .next()
+            .unwrap()
+            .ends_with("within_errors,s3d_least,s3d_most"),
+        "{csv}"
+    );
+    let mut certain = 0;
+    for line in csv.lines().skip(1) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let [.., within, least, most] = cells[..] else {
+            panic!("{line}");
+        };
+        let number = |cell: &str| cell.parse::<f64>().ok();
+        if let (Some(least), Some(most), Some(s)) = (number(least), number(most), number(cells[1]))
+        {
+            assert!(least <= s && s <= most, "{line}");
+            assert_eq!(within == "stable", least > 0.0, "{line}");
+        }
+        certain += usize::from(within == cells[7]);
+    }
+    assert!(certain > 60 && csv.contains(",depends,"), "{certain} of 91");
+    let (_, json, _) = run(&[&arguments[..], &["json"]].concat());
+    let json: Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(json["points"][60]["within_errors"]["verdict"], "depends");
+    // What is set in place of the table has no error.
+    let set = ["C_D=1", "C_L=0", "C_M=0", "dC_D=0", "dC_L=0", "dC_M=0"];
+    let set: Vec<&str> = set.iter().flat_map(|own| ["--set", own]).collect();
+    let (_, csv, _) = run(&[&arguments[..2], &set, &["--format", "csv"]].concat());
+    assert!(
+        csv.lines().skip(1).all(|line| line.contains(",stable,")),
+        "{csv}"
+    );
+    let (_, csv, _) = run(&[&arguments[..2], &["--format", "csv"]].concat());
+    assert!(csv.contains("within_errors"));
+}
+
+#[test]
+fn scatter_that_may_turn_a_verdict_is_told() {
+    let folder = folder("scattered");
+    let cases = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("derivations/cases");
+    let text = std::fs::read_to_string(cases.join("scattered.toml")).expect("a case");
+    let text = text.replace("\"smooth\"", "\"cubic\"");
+    let text: Vec<&str> = text
+        .lines()
+        .filter(|line| !line.starts_with("errors"))
+        .collect();
+    let case = folder.join("case.toml");
+    std::fs::write(&case, text.join("\n")).expect("a case");
+    std::fs::copy(cases.join("scattered.csv"), folder.join("scattered.csv")).expect("a table");
+    let (_, out, _) = run(&["stability", case.to_str().unwrap(), "--width", "400"]);
+    assert!(out.contains("twice that may turn the verdict at "), "{out}");
+    let (_, out, _) = run(&["stability", folder.join("detuned.toml").to_str().unwrap()]);
+    assert!(!out.contains("scatter"), "{out}");
+}
