@@ -86,7 +86,7 @@ def by_sextic(path, out):
 def compare(largest, out):
     with open(out) as file:
         rows = list(csv.DictReader(file))
-    found = np.array([float(row["max_re"]) for row in rows])
+    found = np.array([float(row["growth"]) for row in rows])
     assert len(found) == len(largest), (len(found), len(largest))
     assert np.abs(found - largest).max() < 1e-9, np.abs(found - largest).max()
 

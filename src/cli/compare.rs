@@ -52,7 +52,7 @@ In a document:
   evaluator (8) quadratic: c = [p; q], d = [s; t] approximates real parts of bridge by roots
   domain m = [1, 50], U = [1, 40]
 
-By roots, the outputs are the coefficients of a polynomial whose roots stand for the eigenvalues, here
+By roots, the outputs are coefficients of a polynomial whose roots stand for the eigenvalues, here
 z² + (p + i s) z + (q + i t): all real parts, that of the highest power first, then all imaginary parts.
 
 Errors are distances over the largest number of the system: of all real parts, where real parts are

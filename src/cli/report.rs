@@ -40,6 +40,10 @@ pub struct Arguments {
     #[arg(long, value_name = "CASE.toml")]
     case: Option<PathBuf>,
 
+    /// Leave the documents out: the page is about the case alone
+    #[arg(long, requires = "case", conflicts_with = "document")]
+    only_case: bool,
+
     /// A quantity of the case, by a name of `sextic sweep`, and its value; may be given several times
     #[arg(long, value_name = "NAME=VALUE", value_parser = FixedParser, allow_hyphen_values = true, requires = "case")]
     set: Vec<Fixed>,
@@ -57,6 +61,7 @@ const EXAMPLES: &str = "\
 Examples:
   sextic report --out report.html                     the documents that come with the command
   sextic report --case case.toml --out report.html    and a case
+  sextic report --case case.toml --only-case --out case.html
   sextic report paper.md --out paper.html             a document of your own
 
 Exit status:
@@ -95,8 +100,11 @@ pub fn run(arguments: &Arguments) -> Outcome {
         audits,
         mut outcome,
         ..
-    } = audit_all(arguments.document.as_slice());
-    if audits.is_empty() {
+    } = match arguments.only_case {
+        true => Audited::nothing(),
+        false => audit_all(arguments.document.as_slice()),
+    };
+    if audits.is_empty() && !arguments.only_case {
         return outcome;
     }
     let request = Request {

@@ -66,7 +66,8 @@ pub fn audit_one(path: Option<&str>) -> Audited {
 }
 
 impl Audited {
-    fn nothing() -> Self {
+    /// No document at all.
+    pub fn nothing() -> Self {
         Audited {
             audits: Vec::new(),
             messages: Messages::default(),

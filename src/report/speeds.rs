@@ -128,6 +128,44 @@ pub fn alike(angles: &[(f64, Speeds)]) -> impl Iterator<Item = &[(f64, Speeds)]>
     })
 }
 
+/// What is known at the angles: neighbours that are [`alike`], and the speeds at which something is unstable or not
+/// decided there.
+pub fn lines(found: &SpeedsFound) -> Vec<(String, String)> {
+    let line = |run: &[(f64, Speeds)]| {
+        let ((first, _), (last, _)) = (run.first()?, run.last()?);
+        let angles = match run.len() {
+            1 => format!("{}°", angle(*first)),
+            _ => format!("{}° to {}°", angle(*first), angle(*last)),
+        };
+        Some((angles, at_angles(run, found.highest)))
+    };
+    alike(&found.angles).filter_map(line).collect()
+}
+
+/// What is so at angles that are alike.
+fn at_angles(run: &[(f64, Speeds)], highest: f64) -> String {
+    let Some((_, speeds)) = run.first() else {
+        return String::new();
+    };
+    let parts = [
+        (Stability::Unstable, "gallops"),
+        (Stability::Divergent, "diverges"),
+        (Stability::Undecided, "not decided"),
+    ];
+    let mut words: Vec<String> = parts
+        .into_iter()
+        .filter(|(stability, _)| speeds.ranges.iter().any(|own| own.stability == *stability))
+        .map(|(stability, word)| format!("{word} {}", listed(run, stability, highest)))
+        .collect();
+    if words.is_empty() {
+        words.push("stable at every speed".into());
+    }
+    if speeds.is_neutral {
+        words.push("a real part is 0 at every speed, exactly".into());
+    }
+    words.join("; ")
+}
+
 /// The ranges of one stability in words, at angles that are [`alike`]: `from 4.2 to 17.9 m/s`, or with the
 /// lowest and the highest of each end `from 4.2–4.5 to 16.8–17.9 m/s`.
 pub fn listed(angles: &[(f64, Speeds)], stability: Stability, highest: f64) -> String {

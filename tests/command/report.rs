@@ -274,3 +274,30 @@ fn wrong_input_leaves_no_report() {
         assert!(errors.contains(message), "{errors}");
     }
 }
+
+#[test]
+fn a_page_may_be_about_a_case_alone() {
+    let case = format!(
+        "{}/derivations/cases/scattered.toml",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    let path = out("case.html");
+    let arguments = ["--case", &case, "--only-case", "--set", "U=14"];
+    let (status, _, page) = report(&arguments, &path);
+    assert_eq!(status, Some(0));
+    let page = page.expect("a page");
+    let page = parse(&page);
+    stands_alone(&page);
+    let text = words(page.root_element());
+    for said in [
+        "Stability of scattered.toml",
+        "Within the errors of the coefficients",
+        "Wind speeds up to 100 m/s, by the angle",
+        "--only-case --set U=14",
+    ] {
+        assert!(text.contains(said), "{said}");
+    }
+    assert!(!text.contains("He & Macdonald (2017)") && !text.contains("sextic audit"));
+    let (status, ..) = report(&["--only-case"], &path);
+    assert_eq!(status, Some(2));
+}

@@ -6,7 +6,8 @@ use super::{CaseFiles, escape};
 use crate::report::gallery::Named;
 use crate::report::speeds::{self, SpeedsFound};
 use crate::report::stability::{
-    PROOF, agreement, conclusion, frequency, largest_error, mode, power, reasons, rounded, title,
+    PROOF, WITHIN, agreement, conclusion, frequency, largest_error, mode, power, reasons, rounded,
+    title, within_errors,
 };
 use crate::report::validity::{departure, reach};
 use crate::report::{speeds_figure, stability_figure, validity_figure};
@@ -28,6 +29,12 @@ pub struct CaseView {
     conclusion: String,
     proof: &'static str,
     unstable: Vec<UnstableView>,
+    /// Within the errors of the coefficients: what, and where.
+    within: Vec<(&'static str, String)>,
+    within_worth: &'static str,
+    /// Critical wind speeds by the angles.
+    speed_lines: Vec<(String, String)>,
+    highest_speed: f64,
     speeds: FigureView,
     validity: Option<FigureView>,
     /// Why there is no figure of it.
@@ -89,6 +96,10 @@ impl CaseView {
             figures: case.figures.iter().map(figure).collect::<Result<_, _>>()?,
             conclusion: conclusion(comparison),
             proof: PROOF,
+            within: within_errors(comparison),
+            within_worth: WITHIN,
+            speed_lines: speeds::lines(&case.speeds),
+            highest_speed: case.speeds.highest,
             speeds: speeds(&case.speeds)?,
             validity: case.validity.as_ref().ok().map(validity).transpose()?,
             no_validity: case.validity.as_ref().err().cloned(),

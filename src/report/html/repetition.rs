@@ -33,12 +33,19 @@ impl Repetition {
     pub fn new(request: &Request) -> Self {
         let document = argument("", request.document);
         let set = request.case.map_or(String::new(), settings);
-        let mut commands = of_documents(request, &document);
+        let mut commands = match request.audits.is_empty() {
+            true => Vec::new(),
+            false => of_documents(request, &document),
+        };
         commands.extend(request.case.iter().flat_map(|case| of_case(case, &set)));
         let case = request.case.map(|case| case.files[0].path.as_str());
         let case = argument(" --case", case);
+        let only = match request.audits.is_empty() {
+            true => " --only-case",
+            false => "",
+        };
         commands.push((
-            format!("sextic report{document}{case}{set} --out report.html"),
+            format!("sextic report{document}{case}{only}{set} --out report.html"),
             "this page",
         ));
         let view = |(command, gives)| CommandView { command, gives };
