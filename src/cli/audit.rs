@@ -1,6 +1,6 @@
 //! `sextic audit`: the verdicts on documents.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::time::{Duration, SystemTime};
 
 use clap::Args;
@@ -83,32 +83,32 @@ fn watch(arguments: &Arguments) -> Outcome {
         );
     }
     let mut earlier = Vec::new();
+    let mut asked: BTreeSet<String> = paths.iter().cloned().collect();
     loop {
-        let before = stamps(paths, &earlier);
+        let before = stamps(&asked);
         let audited = audit_again(paths, earlier);
         let (outcome, is_read) = write(&audited, arguments);
         if !is_read {
             return outcome;
         }
-        earlier = audited.audits;
-        let seen = stamps(paths, &earlier);
+        (earlier, asked) = (audited.audits, audited.asked);
+        let seen = stamps(&asked);
         let differs = |(path, own)| seen.get(path).is_some_and(|now| now != own);
         // What was saved meanwhile may not have been read.
         let is_late = before.iter().any(differs);
-        while !is_late && stamps(paths, &earlier) == seen {
+        while !is_late && stamps(&asked) == seen {
             std::thread::sleep(LOOK);
         }
     }
 }
 
-/// When the documents, and what they import, were written last, and how long they are.
-fn stamps(paths: &[String], audits: &[Audit]) -> BTreeMap<String, Option<(SystemTime, u64)>> {
-    let imported = audits.iter().flat_map(|audit| &audit.sources);
-    let all = paths.iter().chain(imported.map(|source| &source.path));
+/// When files were written last, and how long they are; nothing for those that are not there.
+fn stamps(paths: &BTreeSet<String>) -> BTreeMap<String, Option<(SystemTime, u64)>> {
     let stamp = |path: &String| {
         let found = std::fs::metadata(path).ok()?;
         Some((found.modified().ok()?, found.len()))
     };
+    let all = paths.iter();
     all.map(|path| (path.clone(), stamp(path))).collect()
 }
 

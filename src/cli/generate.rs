@@ -150,21 +150,17 @@ pub fn run(arguments: &Arguments) -> Outcome {
     if let Some(audit) = audits.iter().find(|audit| !audit.as_expected()) {
         return differs(audit);
     }
-    for (place, fixed) in arguments.fix.iter().enumerate() {
-        if arguments.fix[..place]
-            .iter()
-            .any(|known| known.name == fixed.name)
-        {
+    let known = Vocabulary::of(&audits);
+    let fixes: Vec<Fixed> = arguments.fix.iter().map(|own| known.in_si(own)).collect();
+    for (place, fixed) in fixes.iter().enumerate() {
+        if fixes[..place].iter().any(|known| known.name == fixed.name) {
             return wrong(&format!("`{}` is fixed twice", fixed.name), "fix it once");
         }
     }
     let order = Order {
         document: arguments.document.clone(),
         names: arguments.only.clone(),
-        fixed: {
-            let known = Vocabulary::of(&audits);
-            arguments.fix.iter().map(|own| known.in_si(own)).collect()
-        },
+        fixed: fixes,
         language: arguments.language,
         points: arguments.points as usize,
     };

@@ -1,5 +1,6 @@
 //! Reading documents from the disk.
 
+use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
@@ -25,6 +26,8 @@ pub struct Audited {
     pub outcome: Outcome,
     /// Audits of earlier texts, from which those are taken that are what they would be now.
     earlier: Vec<Audit>,
+    /// The paths of all that was read, or should have been.
+    pub asked: BTreeSet<String>,
     /// The messages so far, since documents import each other.
     known: BTreeSet<(String, usize, String)>,
 }
@@ -73,14 +76,20 @@ impl Audited {
             messages: Messages::default(),
             outcome: Outcome::AsExpected,
             earlier: Vec::new(),
+            asked: BTreeSet::new(),
             known: BTreeSet::new(),
         }
     }
 
     /// Reads and audits a document on the disk.
     fn read(&mut self, path: &str) {
+        self.asked.insert(path.to_string());
         match read(path) {
-            Ok(source) => self.audit(&source, &Disk),
+            Ok(source) => {
+                let disk = Disk::default();
+                self.audit(&source, &disk);
+                self.asked.append(&mut disk.asked.into_inner());
+            }
             Err(Unread::Text(mistake)) => self.tell(&mistake.0, &mistake.1),
             Err(Unread::File(message)) => {
                 self.outcome = wrong(&message.message, message.help.as_deref().unwrap_or(""));
@@ -127,7 +136,14 @@ impl Audited {
                 .read(&own.path, "")
                 .is_ok_and(|now| now.text == own.text),
         };
-        let is_it = |audit: &Audit| audit.path == source.path && audit.sources.iter().all(is_same);
+        // What could not be read may be there now.
+        let is_whole = |audit: &Audit| {
+            let mut mistakes = audit.mistakes.iter();
+            !mistakes.any(|own| own.diagnostic.kind == DiagnosticKind::MissingFile)
+        };
+        let is_it = |audit: &Audit| {
+            audit.path == source.path && is_whole(audit) && audit.sources.iter().all(is_same)
+        };
         let place = self.earlier.iter().position(is_it)?;
         Some(self.earlier.swap_remove(place))
     }
@@ -154,11 +170,17 @@ impl Audited {
 }
 
 /// The documents on the disk, which import each other by paths relative to themselves.
-struct Disk;
+///
+/// It remembers what it was asked for.
+#[derive(Default)]
+struct Disk {
+    asked: RefCell<BTreeSet<String>>,
+}
 
 impl Library for Disk {
     fn read(&self, path: &str, from: &str) -> Result<SourceFile, String> {
         let path = resolve(path, &slashes(from));
+        self.asked.borrow_mut().insert(path.clone());
         let bytes = bytes_of(&path).map_err(|error| reason(&error))?;
         SourceFile::from_bytes(path, &bytes).map_err(|error| error.message)
     }

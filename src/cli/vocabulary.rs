@@ -8,44 +8,67 @@ use sextic_codegen::language::literal::Decimal;
 use crate::algebra::number::Rational;
 use crate::compile::fixed::Fixed;
 use crate::derivation::scope::{Meaning, SymbolKind};
+use crate::language::unit::Unit;
 use crate::verdict::audit::Audit;
 
 /// The names of the quantities of documents.
-pub struct Vocabulary(BTreeSet<String>);
+#[derive(Default)]
+pub struct Vocabulary {
+    names: BTreeSet<String>,
+    angles: BTreeSet<String>,
+    /// Those in 1/s, as circular frequencies are.
+    rates: BTreeSet<String>,
+}
 
 impl Vocabulary {
     /// All that audited documents declare: constants, angles, and functions with their slopes.
     pub fn of<'a>(audits: impl IntoIterator<Item = &'a Audit>) -> Self {
-        let mut names = BTreeSet::new();
+        let mut own = Vocabulary::default();
         for entry in audits
             .into_iter()
-            .flat_map(|own| own.elaborator.scope.entries())
+            .flat_map(|audit| audit.elaborator.scope.entries())
         {
-            let name = &entry.name.ascii;
-            match &entry.meaning {
-                Meaning::Symbol {
-                    kind: SymbolKind::Parameter | SymbolKind::Complex | SymbolKind::Angle,
-                    ..
-                } => drop(names.insert(name.clone())),
-                Meaning::Function { .. } => names.extend([name.clone(), format!("d{name}")]),
-                _ => {}
-            }
+            own.add(&entry.name.ascii, &entry.meaning);
         }
-        Vocabulary(names)
+        own
+    }
+
+    fn add(&mut self, name: &str, meaning: &Meaning) {
+        match meaning {
+            Meaning::Symbol { kind, unit, .. } => {
+                let names = match kind {
+                    SymbolKind::Angle => &mut self.angles,
+                    SymbolKind::Parameter | SymbolKind::Complex
+                        if *unit == Unit::second().inverse() =>
+                    {
+                        &mut self.rates
+                    }
+                    SymbolKind::Parameter | SymbolKind::Complex => &mut self.names,
+                    _ => return,
+                };
+                names.insert(name.to_string());
+                self.names.insert(name.to_string());
+            }
+            Meaning::Function { .. } => {
+                self.names.extend([name.to_string(), format!("d{name}")]);
+            }
+            _ => {}
+        }
     }
 
     /// The names.
     pub fn names(&self) -> impl Iterator<Item = &String> {
-        self.0.iter()
+        self.names.iter()
     }
 
     /// Whether a quantity has this name.
     pub fn contains(&self, name: &str) -> bool {
-        self.0.contains(name)
+        self.names.contains(name)
     }
 
-    /// A quantity by the name of its document and in SI units and radians: `alpha_g_deg` is `alpha_g` in degrees, and
-    /// `f_x` is `omega_x` in hertz, as in a case file. What the document calls so itself stays.
+    /// A quantity by the name of its document and in SI units and radians: for an angle `alpha_g`, `alpha_g_deg` is it in
+    /// degrees, and for a rate `omega_x`, `f_x` is it in hertz, as in a case file. What the document calls so itself
+    /// stays.
     ///
     /// The number is then the double nearest to the product with π/180, or 2π.
     pub fn in_si(&self, given: &Fixed) -> Fixed {
@@ -67,11 +90,10 @@ impl Vocabulary {
         }
         let angle = name
             .strip_suffix("_deg")
-            .map(|own| (own.to_string(), PI / 180.0));
-        let frequency = name
-            .strip_prefix("f_")
-            .map(|own| (format!("omega_{own}"), TAU));
-        let mut both = angle.into_iter().chain(frequency);
-        both.find(|(own, _)| self.contains(own))
+            .filter(|own| self.angles.contains(*own));
+        let rate = name.strip_prefix("f_").map(|own| format!("omega_{own}"));
+        let rate = rate.filter(|own| self.rates.contains(own));
+        let angle = angle.map(|own| (own.to_string(), PI / 180.0));
+        angle.or_else(|| Some((rate?, TAU)))
     }
 }

@@ -104,8 +104,8 @@ fn transposition(line: &Line) -> Option<String> {
 }
 
 fn nested_rows(line: &Line) -> Option<String> {
-    let whole = [line.before, line.marked, line.behind].concat();
-    let blanks_out: String = whole.chars().filter(|own| !own.is_whitespace()).collect();
+    let letters = line.marked.chars();
+    let blanks_out: String = letters.filter(|own| !own.is_whitespace()).collect();
     blanks_out.contains("[[").then(|| {
         "rows of a matrix are separated by semicolons, without brackets of their own: `[a, b; f, g]`"
             .to_string()
@@ -124,7 +124,11 @@ fn unit_of_number(line: &Line) -> Option<String> {
     let number = before
         .rsplit(|own: char| !own.is_ascii_digit() && own != '.')
         .next()?;
-    let is_number = number.starts_with(|own: char| own.is_ascii_digit());
+    let rest = before.strip_suffix(number)?;
+    // `x_1 m` is a name, and `to order 1 s` lacks a word.
+    let is_other = rest.ends_with(|own: char| own.is_alphanumeric() || own == '_')
+        || rest.trim_end().ends_with("order");
+    let is_number = number.starts_with(|own: char| own.is_ascii_digit()) && !is_other;
     (is_number && unit(line.marked).is_some()).then(|| {
         let name = line.marked;
         format!(
@@ -167,8 +171,13 @@ fn quotient_of_differentials(line: &Line) -> Option<String> {
         .or(line.marked.strip_prefix('∂'))?;
     let by = line.behind.trim_start().strip_prefix('/')?.trim_start();
     let by = by.strip_prefix('d').or(by.strip_prefix('∂'))?;
-    let is_name = variable.is_empty() || variable.starts_with(char::is_alphabetic);
-    is_name.then(|| match by.starts_with('t') {
+    // `damping/density` is no such quotient.
+    let is_short = |own: &str| {
+        let mut letters = own.chars();
+        letters.next().is_none_or(char::is_alphabetic)
+            && letters.next().is_none_or(|next| !next.is_alphanumeric())
+    };
+    (is_short(variable) && is_short(by)).then(|| match by.starts_with('t') {
         true => "a derivative by time is written `dt(y)` or `ẏ`".to_string(),
         false => "a derivative by a name is written `d(f, x)`".to_string(),
     })

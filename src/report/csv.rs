@@ -66,7 +66,12 @@ pub fn comparison(comparison: &Comparison) -> String {
         if let Some(within) = errors {
             let own = within.tolerances[place];
             cells.push(own.certainty.name().to_string());
-            let ends = [0, 1].map(|end: usize| own.damping.map(|ends| decimal(ends[end], 6)));
+            // Rounded outwards.
+            let end = |own: f64, round: fn(f64) -> f64| decimal(round(own * 1e6) / 1e6, 6);
+            let ends = own
+                .damping
+                .map(|[least, most]| [end(least, f64::floor), end(most, f64::ceil)]);
+            let ends = [0, 1].map(|place: usize| ends.as_ref().map(|own| own[place].clone()));
             cells.extend(ends.map(optional));
         }
         text += &(cells.join(",") + "\n");

@@ -2,12 +2,13 @@
 
 use crate::stability::case::Case;
 use crate::stability::coefficient_table::CoefficientTable;
-use crate::stability::comparison::{Comparison, FollowedMode, Value, angle, compare};
+use crate::stability::comparison::{Comparison, FollowedMode, Point, Value, angle, compare};
 use crate::stability::coordinate::Coordinate;
 use crate::stability::grid::{Grid, Methods, Rows};
 use crate::stability::input::{InputError, Place};
 use crate::stability::interpolation::CoefficientCurves;
 use crate::stability::offset::{OffsetPoint, against_offset};
+use crate::stability::variable::Variable;
 
 use super::figure::{Curve, Figure, Stroke};
 use super::{stability_figure, trajectory};
@@ -150,23 +151,34 @@ fn inertial_coupling(
 ) -> Result<Figure, InputError> {
     let mut centred = comparison.case.clone();
     centred.parameters.mass_centre_distance = 0.0;
+    let offset = Variable::MASS_CENTRE_DISTANCE;
+    centred.set.retain(|own| !own.variable.clashes(offset));
     let centred = exact(&centred, table)?;
     let points = || comparison.points.iter();
     let own = points().map(|point| (point.angle, point.exact.value));
-    let centred = points().zip(centred);
-    let centred = centred.filter_map(|(point, exact)| Some((point.angle, exact?.value)));
-    let curve = |label: String, stroke, points: Vec<(f64, f64)>| Curve {
+    let centred: Vec<_> = points().zip(centred).collect();
+    // The curve has a gap where there is no answer.
+    let pieces = centred.chunk_by(|one, other| one.1.is_some() == other.1.is_some());
+    let piece = |run: &[(&Point, Option<Value>)]| -> Vec<(f64, f64)> {
+        let known = run.iter();
+        known
+            .filter_map(|(point, exact)| Some((point.angle, exact.as_ref()?.value)))
+            .collect()
+    };
+    let mut pieces: Vec<Vec<(f64, f64)>> = pieces.map(piece).collect();
+    pieces.retain(|own| !own.is_empty());
+    let curve = |label: String, stroke, pieces: Vec<Vec<(f64, f64)>>| Curve {
         label,
         stroke,
-        pieces: vec![points],
+        pieces,
     };
     let e = comparison.case.parameters.small_quantities().e;
     let with = format!("with inertial coupling, L_{{g}}/r = {e:.3}");
     let without = "without, L_{g} = 0".to_string();
     Ok(Figure {
         curves: vec![
-            curve(with, Stroke::Solid, own.collect()),
-            curve(without, Stroke::Dashed, centred.collect()),
+            curve(with, Stroke::Solid, vec![own.collect()]),
+            curve(without, Stroke::Dashed, pieces),
         ],
         ..stability_figure::figure(comparison)
     })

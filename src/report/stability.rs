@@ -221,8 +221,8 @@ pub fn within_errors(comparison: &Comparison) -> Vec<(&'static str, String)> {
 }
 
 /// What [`within_errors`] is worth.
-pub const WITHIN: &str = "for all coefficients within their errors, with proof; it depends where two of them were found, \
-                          one stable and one not";
+pub const WITHIN: &str = "for all coefficients and slopes, each within what the errors of the rows make of it, with \
+                          proof; it depends where two such were found, one stable and one not";
 
 /// How all verdicts are known.
 pub const PROOF: &str = "each verdict is proven, by bounds of the errors or in exact arithmetic";

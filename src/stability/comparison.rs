@@ -104,7 +104,7 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
     remarks.extend(weakened(case, &section, &points));
     let within = within::within(case, table, &angles, &section)?;
     let scattered = within.as_ref();
-    remarks.extend(scattered.and_then(|own| own.remark(table, &points)));
+    remarks.extend(scattered.and_then(|own| own.remark(case, table, &points)));
     let corners = curves.corners(&angles);
     if corners > 0 {
         remarks.push(Remark {

@@ -232,7 +232,7 @@ impl<'a> Grid<'a> {
         let (angles, _) = self.angles_and_others();
         let at = |&angle: &f64| {
             let coefficients = curves.at(angle).map_err(|outside| {
-                let help = "vary alpha_deg within the table, or complete it";
+                let help = "take angles within the table, or complete it";
                 InputError::new(Place::file(table.file()), outside.to_string(), help)
             })?;
             Ok(Given::of(&self.case.parameters_at(angle, coefficients)))
@@ -267,7 +267,7 @@ impl<'a> Grid<'a> {
                 InputError::new(
                     Place::file(&self.case.file),
                     what,
-                    "correct --vary or the case",
+                    "correct the case, or what is varied",
                 )
             };
             let mut parameters = self.angles[0].parameters;

@@ -1,6 +1,7 @@
 //! Coefficients between the angles of a table.
 
 use std::fmt;
+use std::sync::OnceLock;
 
 use serde::Deserialize;
 
@@ -82,9 +83,12 @@ struct Piece {
     curves: [Curve; 3],
     /// Their errors at the angles.
     errors: [Vec<f64>; 3],
-    /// What is 1 at one row and 0 at the others, as the curve makes it: for all columns, or for each if what smooths
-    /// them differs; empty where nothing has an error.
-    influences: Vec<Vec<Curve>>,
+    ends: Ends,
+    interpolation: Interpolation,
+    /// What smooths the columns, and how much each.
+    smoother: Option<(Smoother, [f64; 3])>,
+    /// What [`Piece::influences`] gives, from when errors are first asked for: as many numbers as the square of the rows.
+    influences: OnceLock<Vec<Vec<Curve>>>,
 }
 
 #[derive(Clone, Debug)]
@@ -227,9 +231,11 @@ impl CoefficientCurves {
     }
 
     /// How far the coefficients at an angle, and their derivatives, may be off if each row of the table is off by at most its
-    /// errors: Σ|w_j| e_j with the weights w_j that the value or slope there gives to each row.
+    /// errors: Σ|w_j| e_j with the weights w_j that the value or slope there gives to each row. A curve that is smoothed is
+    /// one with the smoothness that was found.
     ///
-    /// Linear in the number of rows around the angle.
+    /// Linear in the number of rows around the angle, and for splines the first time in its square: see
+    /// [`CoefficientCurves::follows_errors`].
     ///
     /// # Errors
     ///
@@ -262,6 +268,15 @@ impl CoefficientCurves {
             (of_sum(value), of_sum(slope))
         };
         Ok(coefficients([0, 1, 2].map(spread)))
+    }
+
+    /// Whether errors are followed through the curves in bounded memory: through lines, and splines of at most
+    /// [`MOST_POINTS`] rows.
+    pub fn follows_errors(&self) -> bool {
+        let is_short = |piece: &Piece| {
+            piece.interpolation == Interpolation::Linear || piece.angles.len() <= MOST_POINTS + 1
+        };
+        self.pieces.iter().all(is_short)
     }
 
     /// How many of these angles are corners of straight lines, where the slope jumps.
@@ -302,42 +317,77 @@ impl Piece {
             _ => None,
         };
         let columns: [fn(&Row) -> f64; 3] = [|row| row.drag, |row| row.lift, |row| row.moment];
-        let smoothed = columns.map(|column| {
-            let values: Vec<f64> = rows.iter().map(column).collect();
-            match &smoother {
-                None => (values, 0.0),
-                Some(own) => {
-                    let found = own.smoothed(&values);
-                    (found.values, found.smoothness)
-                }
-            }
+        let mut smoothness = [0.0; 3];
+        let values = [0, 1, 2].map(|place: usize| {
+            let values: Vec<f64> = rows.iter().map(columns[place]).collect();
+            let Some(smoother) = &smoother else {
+                return values;
+            };
+            let found = smoother.smoothed(&values);
+            smoothness[place] = found.smoothness;
+            found.values
         });
-        let is_linear = interpolation == Interpolation::Linear;
-        let through = |values: &[f64]| match is_linear {
-            true => Curve::Lines(values.to_vec()),
-            false => Curve::Spline(CubicSpline::new(&angles, values, ends)),
-        };
-        let errors = [0, 1, 2].map(|column| rows.iter().map(|row| row.errors[column]).collect());
-        let influences = match rows.iter().any(|row| row.errors != [0.0; 3]) {
-            true => influences(rows.len(), ends, smoother.as_ref(), &smoothed, through),
-            false => Default::default(),
-        };
-        Some(Piece {
-            curves: smoothed.each_ref().map(|(values, _)| through(values)),
+        let mut piece = Piece {
+            errors: errors(rows, ends, interpolation),
             angles,
-            errors,
-            influences,
-        })
+            curves: [const { Curve::Lines(Vec::new()) }; 3],
+            ends,
+            interpolation,
+            smoother: smoother.map(|own| (own, smoothness)),
+            influences: OnceLock::new(),
+        };
+        piece.curves = values.map(|own| piece.through(own));
+        Some(piece)
+    }
+
+    fn through(&self, values: Vec<f64>) -> Curve {
+        match self.interpolation {
+            Interpolation::Linear => Curve::Lines(values),
+            _ => Curve::Spline(CubicSpline::new(&self.angles, &values, self.ends)),
+        }
     }
 
     /// A sum over the rows for value and slope of a curve: of a sum so far, the weight of a row, and its error.
     fn spread_at(&self, column: usize, place: f64, sum: fn(f64, f64, f64) -> f64) -> (f64, f64) {
-        let curves = self.influences.get(column).or(self.influences.first());
-        let rows = curves.into_iter().flatten().zip(&self.errors[column]);
-        rows.fold((0.0, 0.0), |(value, slope), (curve, error)| {
-            let own = self.at_curve(curve, place);
-            (sum(value, own.0, *error), sum(slope, own.1, *error))
-        })
+        let errors = &self.errors[column];
+        let add = |(value, slope): (f64, f64), (own, error): ((f64, f64), f64)| {
+            (sum(value, own.0, error), sum(slope, own.1, error))
+        };
+        if let Curve::Lines(_) = self.curves[column] {
+            let i = cell(&self.angles, place);
+            let width = self.angles[i + 1] - self.angles[i];
+            let share = (place - self.angles[i]) / width;
+            let weights = [(1.0 - share, -1.0 / width), (share, 1.0 / width)];
+            let both = weights.into_iter().zip([errors[i], errors[i + 1]]);
+            return both.fold((0.0, 0.0), add);
+        }
+        let influences = self.influences.get_or_init(|| self.influences());
+        let curves = influences.get(column).or(influences.first());
+        let rows = curves.into_iter().flatten().zip(errors);
+        let rows = rows.map(|(curve, error)| (self.at_curve(curve, place), *error));
+        rows.fold((0.0, 0.0), add)
+    }
+
+    /// The curves of rows of which one is 1 and the others are 0: for all columns, or for each if what smooths them differs.
+    fn influences(&self) -> Vec<Vec<Curve>> {
+        let count = self.angles.len();
+        // The last row of a whole circle is the first again.
+        let free = match self.ends {
+            Ends::Periodic => count - 1,
+            _ => count,
+        };
+        let curves = |weight: &dyn Fn(usize, usize) -> f64| -> Vec<Curve> {
+            let values = |row: usize| (0..count).map(|own| weight(own % free, row)).collect();
+            (0..free).map(|row| self.through(values(row))).collect()
+        };
+        let Some((smoother, smoothness)) = &self.smoother else {
+            return vec![curves(&|own, row| f64::from(u8::from(own == row)))];
+        };
+        let of_column = |smoothness: &f64| {
+            let weights = smoother.weights(*smoothness);
+            curves(&|own, row| weights[own][row])
+        };
+        smoothness.iter().map(of_column).collect()
     }
 
     fn first(&self) -> f64 {
@@ -366,40 +416,17 @@ impl Piece {
     }
 }
 
-/// The curves of rows of which one is 1 and the others are 0.
-fn influences(
-    count: usize,
-    ends: Ends,
-    smoother: Option<&Smoother>,
-    smoothed: &[(Vec<f64>, f64); 3],
-    through: impl Fn(&[f64]) -> Curve,
-) -> Vec<Vec<Curve>> {
-    let of_weights = |weights: &dyn Fn(usize, usize) -> f64, free: usize| -> Vec<Curve> {
-        let one = |row: usize| {
-            let values: Vec<f64> = (0..count).map(|own| weights(own % free, row)).collect();
-            through(&values)
-        };
-        (0..free).map(one).collect()
-    };
-    // The last row of a whole circle is the first again.
-    let free = if ends == Ends::Periodic {
-        count - 1
-    } else {
-        count
-    };
-    match smoother {
-        None => vec![of_weights(
-            &|own, row| f64::from(u8::from(own == row)),
-            free,
-        )],
-        Some(smoother) => smoothed
-            .iter()
-            .map(|(_, smoothness)| {
-                let weights = smoother.weights(*smoothness);
-                of_weights(&|own, row| weights[own][row], free)
-            })
-            .collect(),
-    }
+/// The errors of C_D, C_L and C_M; a spline takes the last row of a whole circle for the first, with the larger errors of
+/// both.
+fn errors(rows: &[Row], ends: Ends, interpolation: Interpolation) -> [Vec<f64>; 3] {
+    [0, 1, 2].map(|column: usize| {
+        let mut errors: Vec<f64> = rows.iter().map(|row| row.errors[column]).collect();
+        let is_closed = ends == Ends::Periodic && interpolation != Interpolation::Linear;
+        if let ([first, .., last], true) = (errors.as_mut_slice(), is_closed) {
+            *first = first.max(*last);
+        }
+        errors
+    })
 }
 
 /// The rows of a circle, of which the last one is the first again, from behind a hole to the hole.

@@ -54,14 +54,14 @@ pub struct Smoothed {
 
 impl Smoother {
     /// For points at these places, in increasing order: at least 4; with [`Ends::Periodic`] the last one is the first
-    /// again, and counts once. `None` for more than [`MOST_POINTS`], or where no decomposition is found.
+    /// again, and counts once. `None` for fewer than 4 or more than [`MOST_POINTS`], or where no decomposition is found.
     ///
     /// n³ for n points.
     pub fn new(x: &[f64], ends: Ends) -> Option<Self> {
         let widths: Vec<f64> = x.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let is_periodic = ends == Ends::Periodic;
         let count = if is_periodic { widths.len() } else { x.len() };
-        if count > MOST_POINTS {
+        if x.len() < 4 || count > MOST_POINTS {
             return None;
         }
         let (differences, products) = bands(&widths, count, is_periodic);
@@ -79,6 +79,10 @@ impl Smoother {
     /// last value, which is the first again.
     ///
     /// n² for n values.
+    ///
+    /// # Panics
+    ///
+    /// If there are fewer values than points.
     pub fn smoothed(&self, y: &[f64]) -> Smoothed {
         let count = self.roughness.len();
         let parts = self

@@ -69,7 +69,7 @@ const INVERSE: f64 = 1e-3;
 /// coefficients at the ends of their errors at which each mode is best and worst damped are looked at, with proof; then the
 /// errors are halved, that first which matters most, and both halves looked at.
 ///
-/// Some 8 products of matrices with 2n rows; at most 64 times as many, and 7 verdicts, where that decides nothing.
+/// Some 8 products of matrices with 2n rows; at most 64 times as many, and 1 + 4n verdicts, where that decides nothing.
 ///
 /// # Errors
 ///
@@ -78,87 +78,141 @@ pub fn tolerance(section: &Section, errors: &Coefficients) -> Result<Tolerance, 
     let Forces::Coefficients(middle) = section.parameters().forces else {
         return Err(StabilityError::StiffnessWithoutCoefficients);
     };
-    let (mut found, mut damping) = (Found::default(), None);
-    let mut parts = vec![(numbers(&middle), numbers(errors))];
-    for count in 1.. {
-        let Some((middle, errors)) = parts.pop() else {
-            break;
-        };
-        let own = with(section, middle)?;
-        let family = Family::about(&Model::new(&own)?, errors)?;
-        if count == 1 {
-            damping = family.as_ref().and_then(|own| own.damping(section));
-        }
-        match family.as_ref().and_then(Family::certainty) {
-            Some(certain) => found.add(certain),
-            None if count == 1 => found.add_ends(section, family.as_ref(), middle, errors)?,
-            None => {}
-        }
-        if found.is_decided() {
-            break;
-        }
-        let is_open = family.as_ref().and_then(Family::certainty).is_none();
-        match family {
-            Some(family) if is_open && count < MOST_PARTS => {
-                parts.extend(family.halves(middle, errors));
-            }
-            _ => found.is_open |= is_open,
-        }
+    let whole = Part {
+        middle: numbers(&middle),
+        errors: numbers(errors).map(f64::abs),
+    };
+    let mut search = Search {
+        section,
+        whole,
+        rest: Vec::new(),
+        looked_at: 0,
+        is_stable: false,
+        is_unstable: false,
+        is_open: false,
+    };
+    let family = search.look(whole)?;
+    if search.is_open() {
+        search.look_at_ends(family.as_ref())?;
+    }
+    while let Some(part) = search.rest.pop().filter(|_| search.is_open()) {
+        search.look(part)?;
     }
     Ok(Tolerance {
-        certainty: found.certainty(),
-        damping,
+        certainty: search.certainty(),
+        damping: family.and_then(|own| own.damping(section)),
     })
 }
 
 /// The most parts of the errors that are looked at.
 const MOST_PARTS: usize = 64;
 
-/// What was found of sections with some of the coefficients.
-#[derive(Default)]
-struct Found {
+/// Coefficients that are no farther from some than these errors.
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    middle: [f64; 6],
+    errors: [f64; 6],
+}
+
+/// A half that is no smaller than this share of the whole, for its rounding, is none.
+const SMALLER: f64 = 0.6;
+
+impl Part {
+    /// The halves along one coefficient, which hold all of it, and whose middles are among the coefficients of `whole`; none
+    /// if rounding does not allow that, or makes them as large as it is.
+    fn halves(self, along: usize, whole: &Part) -> Option<[Part; 2]> {
+        let (middle, error) = (self.middle[along], self.errors[along]);
+        // Both halves hold the middle, whatever was rounded.
+        let half = (0.5 * error + f64::EPSILON * (middle.abs() + error)) * ABOVE;
+        let ends = [-0.5, 0.5].map(|towards| middle + towards * error);
+        let is_good = half < SMALLER * error && ends.iter().all(|own| whole.holds(along, *own));
+        is_good.then(|| {
+            ends.map(|end| {
+                let mut part = self;
+                part.middle[along] = end;
+                part.errors[along] = half;
+                part
+            })
+        })
+    }
+
+    /// Whether a coefficient is certain to be one of these, whatever is rounded here.
+    fn holds(&self, along: usize, coefficient: f64) -> bool {
+        let error = self.errors[along];
+        coefficient == self.middle[along]
+            || (coefficient - self.middle[along]).abs() <= error * (1.0 - 1e-12)
+    }
+}
+
+/// What was found of the sections with all coefficients, part by part.
+struct Search<'a> {
+    section: &'a Section,
+    whole: Part,
+    /// What is to be looked at.
+    rest: Vec<Part>,
+    looked_at: usize,
+    /// Whether some are stable.
     is_stable: bool,
+    /// Whether some are unstable.
     is_unstable: bool,
     /// Whether nothing is known of some.
     is_open: bool,
 }
 
-impl Found {
-    fn add(&mut self, certain: Certainty) {
-        self.is_stable |= certain == Certainty::Stable;
-        self.is_unstable |= certain == Certainty::Unstable;
+impl Search<'_> {
+    /// Looks at a part, and puts off its halves where that decides nothing.
+    fn look(&mut self, part: Part) -> Result<Option<Family>, StabilityError> {
+        self.looked_at += 1;
+        let own = with(self.section, part.middle)?;
+        let family = Family::about(&Model::new(&own)?, part.errors)?;
+        match family.as_ref().and_then(Family::certainty) {
+            Some(true) => self.is_stable = true,
+            Some(false) => self.is_unstable = true,
+            None => self.put_off(part, family.as_ref()),
+        }
+        Ok(family)
+    }
+
+    fn put_off(&mut self, part: Part, family: Option<&Family>) {
+        let left = MOST_PARTS.saturating_sub(self.looked_at + self.rest.len());
+        let halves = family.and_then(|own| part.halves(own.widest(), &self.whole));
+        match halves.filter(|_| left >= 2) {
+            Some(halves) => self.rest.extend(halves),
+            None => self.is_open = true,
+        }
     }
 
     /// Looks at the coefficients in the middle, and at those at which each mode is best and worst damped.
-    fn add_ends(
-        &mut self,
-        section: &Section,
-        family: Option<&Family>,
-        middle: [f64; 6],
-        errors: [f64; 6],
-    ) -> Result<(), StabilityError> {
-        let ends = family.into_iter().flat_map(|own| own.ends(middle, errors));
-        for end in std::iter::once(middle).chain(ends) {
-            let own = with(section, end)?;
+    fn look_at_ends(&mut self, family: Option<&Family>) -> Result<(), StabilityError> {
+        let ends = family.into_iter().flat_map(|own| own.ends(&self.whole));
+        for end in std::iter::once(self.whole.middle).chain(ends) {
+            let own = with(self.section, end)?;
             match verdict(&own, &eigenvalues(&Model::new(&own)?)?) {
                 Verdict::Stable(_) => self.is_stable = true,
                 Verdict::Unstable(_) => self.is_unstable = true,
                 Verdict::Undecided(_) => {}
             }
         }
+        // All errors are 0, and the middle is all that there is.
+        if self.whole.errors == [0.0; 6] && (self.is_stable || self.is_unstable) {
+            self.is_open = false;
+            self.rest.clear();
+        }
         Ok(())
     }
 
-    fn is_decided(&self) -> bool {
-        self.is_stable && self.is_unstable
+    /// Whether more is to be found out.
+    fn is_open(&self) -> bool {
+        !(self.is_stable && self.is_unstable) && (self.is_open || !self.rest.is_empty())
     }
 
     fn certainty(&self) -> Certainty {
         match (self.is_stable, self.is_unstable) {
             (true, true) => Certainty::Depends,
-            (true, false) if !self.is_open => Certainty::Stable,
-            (false, true) if !self.is_open => Certainty::Unstable,
-            _ => Certainty::Open,
+            _ if self.is_open() => Certainty::Open,
+            (true, false) => Certainty::Stable,
+            (false, true) => Certainty::Unstable,
+            (false, false) => Certainty::Open,
         }
     }
 }
@@ -260,27 +314,19 @@ impl Family {
         }
     }
 
-    /// What the discs show.
-    fn certainty(&self) -> Option<Certainty> {
-        let size = self.values.len();
-        let radii: Vec<Option<f64>> = (0..size).map(|place| self.radius(place)).collect();
+    /// Whether all are stable, or none is; `None` where the discs do not show it.
+    ///
+    /// Each disc with a radius holds one eigenvalue of every section, and no two of them touch: that of one mode is apart
+    /// from the unscaled ones of all others, which hold the scaled ones.
+    fn certainty(&self) -> Option<bool> {
+        let places = || 0..self.values.len();
+        let reach = |place: usize| Some((self.reach[place] + self.radius(place)?) * ABOVE);
         let real = |place: usize| self.values[place].re;
-        let is_right = |place: usize| {
-            radii[place].is_some_and(|own| real(place) > (self.reach[place] + own) * ABOVE)
-        };
-        if (0..size).any(is_right) {
-            return Some(Certainty::Unstable);
+        if places().any(|place| reach(place).is_some_and(|own| real(place) > own)) {
+            return Some(false);
         }
-        let radii: Option<Vec<f64>> = radii.into_iter().collect();
-        let radii = radii?;
-        let reaches = |place: usize| self.entries[(place, place)] + radii[place];
-        let are_apart = |one: usize, other: usize| {
-            let distance = (self.values[one] - self.values[other]).norm();
-            distance > (reaches(one) + reaches(other)) * ABOVE
-        };
-        let all_apart = (0..size).all(|one| (0..one).all(|other| are_apart(one, other)));
-        let is_left = |place: usize| real(place) < -(self.reach[place] + radii[place]) * ABOVE;
-        (all_apart && (0..size).all(is_left)).then_some(Certainty::Stable)
+        let is_left = |place: usize| reach(place).is_some_and(|own| real(place) < -own);
+        places().all(is_left).then_some(true)
     }
 
     /// Between which numbers S lies.
@@ -294,9 +340,11 @@ impl Family {
         let [least, most] = ends.fold([f64::NEG_INFINITY; 2], |[least, most], own| {
             [least.max(own[0]), most.max(own[1])]
         });
-        // What is rounded here is far below what is open.
         let [above, below] = [least, most].map(|own| section.damping_coefficient(own * self.unit));
-        Some([below?, above?])
+        // What is rounded here is less.
+        let more = |own: f64| 64.0 * f64::EPSILON * own.abs();
+        let (below, above) = (below?, above?);
+        Some([below - more(below), above + more(above)])
     }
 
     /// The radius of a disc that holds just one eigenvalue, beside what the diagonal does; `None` if the others are too
@@ -324,36 +372,33 @@ impl Family {
     }
 
     /// The coefficients at which each mode is worst and best damped, at first order.
-    fn ends(&self, middle: [f64; 6], errors: [f64; 6]) -> Vec<[f64; 6]> {
-        let oscillate = (0..self.values.len()).filter(|place| self.values[*place].im >= 0.0);
+    fn ends(&self, whole: &Part) -> Vec<[f64; 6]> {
+        let one_of_each_pair = (0..self.values.len()).filter(|place| self.values[*place].im >= 0.0);
         let end = |place: usize, towards: f64| {
             std::array::from_fn(|k| {
-                // Rounded towards the middle.
-                let error = errors[k] * (1.0 - 1e-12);
-                middle[k] + towards * self.slopes[place][k].signum() * error
+                let error = whole.errors[k] * (1.0 - 1e-9);
+                let moved = towards * self.slopes[place][k].signum() * error;
+                let end = whole.middle[k] + moved;
+                if whole.holds(k, end) {
+                    end
+                } else {
+                    whole.middle[k]
+                }
             })
         };
-        oscillate
+        one_of_each_pair
             .flat_map(|place| [end(place, 1.0), end(place, -1.0)])
             .collect()
     }
 
-    /// The halves of the coefficients, by that whose error moves the least damped mode most.
-    fn halves(&self, middle: [f64; 6], errors: [f64; 6]) -> [([f64; 6], [f64; 6]); 2] {
+    /// The coefficient whose error moves the least damped mode most.
+    fn widest(&self) -> usize {
         let damping = |place: &usize| self.values[*place].re + self.reach[*place];
         let places = 0..self.values.len();
         let worst = places.max_by(|one, other| damping(one).total_cmp(&damping(other)));
-        let slopes = worst.map_or([0.0; 6], |place| self.slopes[place]);
-        let size = |k: &usize| slopes[*k].abs();
+        let size = |k: &usize| worst.map_or(0.0, |place| self.slopes[place][*k].abs());
         let widest = (0..6).max_by(|one, other| size(one).total_cmp(&size(other)));
-        let widest = widest.unwrap_or(0);
-        [-0.5, 0.5].map(|towards| {
-            let (mut own, mut half) = (middle, errors);
-            own[widest] += towards * errors[widest];
-            // Both halves hold the middle, whatever was rounded.
-            half[widest] = (0.5 * errors[widest] + f64::EPSILON * middle[widest].abs()) * ABOVE;
-            (own, half)
-        })
+        widest.unwrap_or(0)
     }
 }
 

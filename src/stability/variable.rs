@@ -43,7 +43,7 @@ impl Variable {
     };
 
     /// L_g, in m.
-    pub(super) const MASS_CENTRE_DISTANCE: Variable = Variable {
+    pub const MASS_CENTRE_DISTANCE: Variable = Variable {
         name: "L_g",
         unit: Unit::Metre,
         quantities: &[Quantity::L_g],
@@ -90,7 +90,7 @@ impl Variable {
     }
 
     /// Whether it and another one set the same quantity: then their order matters.
-    pub(super) fn clashes(self, other: Variable) -> bool {
+    pub fn clashes(self, other: Variable) -> bool {
         let mut quantities = self.quantities.iter();
         quantities.any(|own| other.quantities.contains(own)) || self.name == other.name
     }

@@ -67,7 +67,7 @@ fn is_scattered(differences: &[f64]) -> bool {
     if differences.len() < FEWEST {
         return false;
     }
-    // Each difference by its sign and rank alone, so that one spike decides nothing.
+    // Differences are cut at some medians, so that one spike decides nothing.
     let bound = 3.0 * median(differences);
     let kept = |own: f64| own.clamp(-bound, bound);
     let pairs = differences

@@ -8,7 +8,7 @@ use crate::stability::case::Case;
 use crate::stability::coefficient_table::CoefficientTable;
 use crate::stability::coefficient_table::scatter::scatter;
 use crate::stability::input::{InputError, Place, Remark};
-use crate::stability::interpolation::CoefficientCurves;
+use crate::stability::interpolation::{CoefficientCurves, Interpolation};
 use crate::stability::section::Section;
 use crate::stability::smoothing::MOST_POINTS;
 use crate::stability::tolerance::{Certainty, Tolerance, tolerance};
@@ -46,7 +46,12 @@ impl Within {
 
 impl Within {
     /// That the scatter of the table alone may turn verdicts, if it may.
-    pub(super) fn remark(&self, table: &CoefficientTable, points: &[Point]) -> Option<Remark> {
+    pub(super) fn remark(
+        &self,
+        case: &Case,
+        table: &CoefficientTable,
+        points: &[Point],
+    ) -> Option<Remark> {
         let Cause::Scatter(found) = self.cause else {
             return None;
         };
@@ -65,10 +70,14 @@ impl Within {
             place: Place::file(table.file()),
             what: format!(
                 "the numbers scatter about smooth curves ({}); twice that may turn the verdict at {count} of {} angles \
-                 ({}): say `interpolation = \"smooth\"`, or give the `errors` of the coefficients",
+                 ({}): {}give the `errors` of the coefficients",
                 parts.join(", "),
                 points.len(),
                 listed(&turned),
+                match case.interpolation {
+                    Interpolation::Smooth => "",
+                    _ => "say `interpolation = \"smooth\"`, or ",
+                },
             ),
         })
     }
@@ -86,8 +95,8 @@ pub(super) fn within(
 ) -> Result<Option<Within>, InputError> {
     let cause = match (table.has_errors(), scatter(table)) {
         (true, _) => Cause::Errors,
+        (false, _) if case.errors.is_some() => return Ok(None),
         (false, [0.0, 0.0, 0.0]) => return Ok(None),
-        (false, _) if table.rows().len() > MOST_POINTS => return Ok(None),
         (false, found) => Cause::Scatter(found),
     };
     let open = match cause {
@@ -95,6 +104,11 @@ pub(super) fn within(
         Cause::Scatter(found) => table.clone().with_errors(found.map(|own| DEVIATIONS * own)),
     };
     let curves = CoefficientCurves::new(&open, case.interpolation)?;
+    match (cause, curves.follows_errors()) {
+        (_, true) => {}
+        (Cause::Scatter(_), false) => return Ok(None),
+        (Cause::Errors, false) => return Err(too_many(table)),
+    }
     let at = |&angle: &f64| -> Result<Tolerance, InputError> {
         let section = section_at(angle)?;
         let errors = match cause {
@@ -111,4 +125,15 @@ pub(super) fn within(
     };
     let tolerances = angles.par_iter().map(at).collect::<Result<_, _>>()?;
     Ok(Some(Within { cause, tolerances }))
+}
+
+fn too_many(table: &CoefficientTable) -> InputError {
+    let what = format!(
+        "the errors of {} rows are not followed through splines",
+        table.rows().len()
+    );
+    let help = format!(
+        "leave rows out, of which at most {MOST_POINTS} are followed, or write `interpolation = \"linear\"`"
+    );
+    InputError::new(Place::file(table.file()), what, help)
 }

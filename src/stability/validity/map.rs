@@ -110,7 +110,7 @@ impl<'a> Map<'a> {
         let at = |row: usize| -> Result<Departures, StabilityError> {
             let exact = || Exact::of(&batch.parameters(row), eigenvalues[row], sizes[row], decide);
             // Without forces there is nothing to be wrong about.
-            let exact = (sizes[row] > 0.0).then(exact).transpose()?;
+            let exact = (sizes[row] != 0.0).then(exact).transpose()?;
             let angle = self.angles[(block.start as usize + row) % self.angles.len()];
             let shift = |form: &Vec<Estimate<_>>| match &exact {
                 Some(exact) => Some(exact.shift(form[row].value?)),
