@@ -53,7 +53,8 @@ In a document:
   domain m = [1, 50], U = [1, 40]
 
 By roots, the outputs are coefficients of a polynomial whose roots stand for the eigenvalues, here
-z² + (p + i s) z + (q + i t): all real parts, that of the highest power first, then all imaginary parts.
+z² + (p + i s) z + (q + i t): all real parts, that of the highest power first, then all imaginary
+ones.
 
 Errors are distances over the largest number of the system: of all real parts, where real parts are
 approximated. A form is wrong about stability where the sign of its largest real part is, and the

@@ -191,7 +191,8 @@ fn what_errors_leave_open_is_not_called_certain() {
         if let (Some(least), Some(most), Some(s)) = (number(least), number(most), number(cells[1]))
         {
             assert!(least <= s && s <= most, "{line}");
-            assert_eq!(within == "stable", least > 0.0, "{line}");
+            // Parts of the errors may tell more than the bounds of all.
+            assert!(least <= 0.0 || within == "stable", "{line}");
         }
         certain += usize::from(within == cells[7]);
     }
@@ -227,5 +228,5 @@ fn scatter_that_may_turn_a_verdict_is_told() {
     let (_, out, _) = run(&["stability", case.to_str().unwrap(), "--width", "400"]);
     assert!(out.contains("twice that may turn the verdict at "), "{out}");
     let (_, out, _) = run(&["stability", folder.join("detuned.toml").to_str().unwrap()]);
-    assert!(!out.contains("scatter"), "{out}");
+    assert!(!out.contains("twice that may"), "{out}");
 }
