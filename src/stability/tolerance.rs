@@ -240,6 +240,7 @@ struct Family {
 }
 
 type Balls = DMatrix<Ball>;
+type Vectors = DMatrix<Complex<f64>>;
 
 impl Family {
     /// `None` if there are no eigenvectors that are apart from each other.
@@ -269,8 +270,7 @@ impl Family {
         });
         let away = (0..away.nrows()).map(|row| away.row(row).sum());
         let away = away.fold(0.0, f64::max) * ABOVE;
-        // Also where it is not a number.
-        if !(away < INVERSE) {
+        if away.is_nan() || away >= INVERSE {
             return Ok(None);
         }
         let unit = model.frequency_unit;
@@ -403,7 +403,7 @@ impl Family {
 }
 
 /// Eigenvalues, scaled, and the vectors (q, λq) in columns.
-fn eigenvectors(model: &Model) -> Option<(Vec<Complex<f64>>, DMatrix<Complex<f64>>)> {
+fn eigenvectors(model: &Model) -> Option<(Vec<Complex<f64>>, Vectors)> {
     let n = model.freedom();
     let values = approximate_eigenvalues(&model.scaled_state_matrix()).next()?;
     let shape = |value: &Complex<f64>| mode_shape(model, value * model.frequency_unit, None);

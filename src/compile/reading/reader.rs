@@ -9,9 +9,12 @@ use super::names::Names;
 pub(super) struct Reader {
     /// The ending of the file with the function.
     pub ending: &'static str,
-    pub read:
-        fn(&Texts, &mut Names) -> Result<(Vec<Placed<Reading>>, Placed<Door>), Placed<Unreadable>>,
+    /// The bodies, and the function that takes angles.
+    pub read: fn(&Texts, &mut Names) -> Result<Found, Placed<Unreadable>>,
 }
+
+/// Bodies, and a function that takes angles.
+pub(super) type Found = (Vec<Placed<Reading>>, Placed<Door>);
 
 /// Something, behind its place in words.
 pub(super) type Placed<T> = (String, T);

@@ -34,7 +34,7 @@ pub struct CaseView {
     within_worth: &'static str,
     /// Critical wind speeds by the angles.
     speed_lines: Vec<(String, String)>,
-    highest_speed: f64,
+    highest_speed: String,
     speeds: FigureView,
     validity: Option<FigureView>,
     /// Why there is no figure of it.
@@ -99,7 +99,7 @@ impl CaseView {
             within: within_errors(comparison),
             within_worth: WITHIN,
             speed_lines: speeds::lines(&case.speeds),
-            highest_speed: case.speeds.highest,
+            highest_speed: case.speeds.highest.to_string(),
             speeds: speeds(&case.speeds)?,
             validity: case.validity.as_ref().ok().map(validity).transpose()?,
             no_validity: case.validity.as_ref().err().cloned(),

@@ -89,18 +89,6 @@ fn quoted(word: &str) -> String {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn words_are_quoted_where_a_shell_would_split_them() {
-        assert_eq!(quoted("a/b-1.md"), "a/b-1.md");
-        assert_eq!(quoted("my case's.toml"), r"'my case'\''s.toml'");
-        assert_eq!(argument(" --case", None), "");
-    }
-}
-
 /// A command and what it gives.
 type Command = (String, &'static str);
 
@@ -171,4 +159,16 @@ fn files(request: &Request) -> Vec<FileView> {
         files.push(file(table, "table of coefficients"));
     }
     files
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_quoted_where_a_shell_would_split_them() {
+        assert_eq!(quoted("a/b-1.md"), "a/b-1.md");
+        assert_eq!(quoted("my case's.toml"), r"'my case'\''s.toml'");
+        assert_eq!(argument(" --case", None), "");
+    }
 }
