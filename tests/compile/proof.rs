@@ -118,13 +118,12 @@ fn called(name: &str) -> Specification {
     let symbol = ring.symbol(generator).unwrap();
     let element = ring.element(symbol);
     let square = ring.product(&element, &element).unwrap();
-    let specification = Specification::new(
+    Specification::new(
         Evaluator::plain("e", program),
         vec![(name.to_owned(), element)],
         vec![(name.to_owned(), square)],
         elaborator,
-    );
-    specification
+    )
 }
 
 /// Words that the texts use themselves: a printer that did not rename them would be refused by a reader.
