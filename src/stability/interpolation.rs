@@ -4,6 +4,7 @@ use std::fmt;
 
 use serde::Deserialize;
 
+use super::coefficient_table::column::Column;
 use super::coefficient_table::{CoefficientTable, FEWEST_ROWS, Row};
 use super::forces::Coefficients;
 use super::input::{InputError, Place};
@@ -80,6 +81,8 @@ struct Piece {
     angles: Vec<f64>,
     /// C_D, C_L, C_M.
     curves: [Curve; 3],
+    /// Their derivatives per radian, where the table gives them.
+    slopes: Option<[Curve; 3]>,
     /// Their errors at the angles.
     errors: [Vec<f64>; 3],
     /// What is 1 at one row and 0 at the others, as the curve makes it: for all columns, or for each if what smooths
@@ -95,6 +98,8 @@ enum Curve {
 
 impl CoefficientCurves {
     /// Curves through a table: linear in its length, but for sorting the widths of its cells.
+    ///
+    /// Where derivatives are those of the table's columns, they are curves of their own.
     ///
     /// Nothing is drawn across a [hole](CoefficientTable::holes): the rows between two of them make a curve of
     /// their own if there are at least four. What is smoothed takes the third power of its length.
@@ -139,7 +144,7 @@ impl CoefficientCurves {
         let is_long = |piece: &&[Row]| piece.len() >= FEWEST_ROWS;
         let pieces = pieces.into_iter().filter(is_long);
         let pieces = pieces.map(|piece| {
-            Piece::new(piece, interpolation, ends).ok_or_else(|| {
+            Piece::new(piece, interpolation, ends, table.has_slopes()).ok_or_else(|| {
                 let what = format!("{} rows are not smoothed", piece.len());
                 let help = format!(
                     "`interpolation = \"cubic\"` goes through all of them; at most {MOST_POINTS} are smoothed"
@@ -242,7 +247,8 @@ impl CoefficientCurves {
 
     /// How many of these angles are corners of straight lines, where the slope jumps.
     pub fn corners(&self, angles: &[f64]) -> usize {
-        let is_linear = |piece: &Piece| matches!(piece.curves[0], Curve::Lines(_));
+        let is_linear =
+            |piece: &Piece| piece.slopes.is_none() && matches!(piece.curves[0], Curve::Lines(_));
         if !self.pieces.iter().all(is_linear) {
             return 0;
         }
@@ -271,15 +277,19 @@ fn coefficients([drag, lift, moment]: [(f64, f64); 3]) -> Coefficients {
 
 impl Piece {
     /// Curves through, or near, at least four rows; `None` where they cannot be smoothed.
-    fn new(rows: &[Row], interpolation: Interpolation, ends: Ends) -> Option<Self> {
+    fn new(
+        rows: &[Row],
+        interpolation: Interpolation,
+        ends: Ends,
+        has_slopes: bool,
+    ) -> Option<Self> {
         let angles: Vec<f64> = rows.iter().map(|row| row.angle).collect();
         let smoother = match interpolation {
             Interpolation::Smooth => Some(Smoother::new(&angles, ends)?),
             _ => None,
         };
-        let columns: [fn(&Row) -> f64; 3] = [|row| row.drag, |row| row.lift, |row| row.moment];
-        let smoothed = columns.map(|column| {
-            let values: Vec<f64> = rows.iter().map(column).collect();
+        let smooth = |column: Column| {
+            let values: Vec<f64> = rows.iter().map(|row| column.of(row)).collect();
             match &smoother {
                 None => (values, 0.0),
                 Some(own) => {
@@ -287,7 +297,8 @@ impl Piece {
                     (found.values, found.smoothness)
                 }
             }
-        });
+        };
+        let smoothed = Column::COEFFICIENTS.map(smooth);
         let is_linear = interpolation == Interpolation::Linear;
         let through = |values: &[f64]| match is_linear {
             true => Curve::Lines(values.to_vec()),
@@ -300,6 +311,7 @@ impl Piece {
         };
         Some(Piece {
             curves: smoothed.each_ref().map(|(values, _)| through(values)),
+            slopes: has_slopes.then(|| Column::SLOPES.map(|own| through(&smooth(own).0))),
             angles,
             errors,
             influences,
@@ -326,7 +338,10 @@ impl Piece {
 
     /// A curve and its slope per degree.
     fn at(&self, curve: usize, place: f64) -> (f64, f64) {
-        self.at_curve(&self.curves[curve], place)
+        let (value, slope) = self.at_curve(&self.curves[curve], place);
+        let given = self.slopes.as_ref().map(|own| &own[curve]);
+        let given = given.map(|own| self.at_curve(own, place).0.to_radians());
+        (value, given.unwrap_or(slope))
     }
 
     fn at_curve(&self, curve: &Curve, place: f64) -> (f64, f64) {

@@ -91,6 +91,42 @@ fn every_table_is_read_or_explained() {
     });
 }
 
+/// What is read of a table, with its remarks, as a case says it in [section].
+fn said(lines: &str, name: &str) -> String {
+    let text = read(&shipped().join("detuned.toml"));
+    let text = text.replace("interpolation =", &format!("{lines}\ninterpolation ="));
+    let case = Case::read("case.toml", &text).expect("a case");
+    let table = read(
+        &Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("tests/data/tables")
+            .join(name),
+    );
+    match case.read_table(name, &table) {
+        Err(error) => error.to_string(),
+        Ok(table) => {
+            let mut said = format!("{}; {}", table.reading(), table.columns().join(", "));
+            for remark in remarks(&table) {
+                write!(said, "\n    {remark}").expect("a string");
+            }
+            said
+        }
+    }
+}
+
+#[test]
+fn a_table_is_read_as_the_case_says() {
+    let readings = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/cases/readings.txt");
+    let readings = read(&readings);
+    let readings = readings.lines().filter(|line| !line.starts_with('#'));
+    let mut all = String::new();
+    for reading in readings.filter(|line| !line.is_empty()) {
+        let (name, lines) = reading.split_once(": ").expect("a table");
+        let said = said(&lines.replace("\\n", "\n"), name);
+        writeln!(all, "{reading}\n    {said}").expect("a string");
+    }
+    snapshots("cases", || insta::assert_snapshot!("readings", all));
+}
+
 #[test]
 fn all_spellings_of_a_table_are_one_table() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/tables");

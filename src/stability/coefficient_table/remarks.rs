@@ -1,6 +1,7 @@
 //! What is odd about a coefficient table: looked for before it is used.
 
-use super::cells::ONE_ANGLE;
+use super::angle::ONE_ANGLE;
+use super::column::Column;
 use super::{CoefficientTable, Row};
 use crate::stability::input::{Place, Remark};
 
@@ -9,13 +10,6 @@ const LONGEST_GOOD_STEP: f64 = 3.0;
 
 /// A coefficient below this share of what it varies by counts as 0.
 const NOTHING: f64 = 1e-3;
-
-/// The name of a coefficient, and how it is found in a row.
-type Column = (&'static str, fn(&Row) -> f64);
-
-const LIFT: Column = ("CL", |row| row.lift);
-const DRAG: Column = ("CD", |row| row.drag);
-const MOMENT: Column = ("CM", |row| row.moment);
 
 /// What is odd about a table, in the order in which one should look at it.
 ///
@@ -29,7 +23,9 @@ pub fn remarks(table: &CoefficientTable) -> Vec<Remark> {
     remarks.extend(holes(table));
     remarks.extend(narrow_cells(table));
     remarks.extend(given_slopes(table));
-    remarks.extend(coarse_steps(table));
+    if !table.has_slopes() {
+        remarks.extend(coarse_steps(table));
+    }
     remarks.extend(jumps(table));
     remarks
 }
@@ -52,50 +48,64 @@ pub fn radians(table: &CoefficientTable) -> Option<Remark> {
     })
 }
 
-/// Columns of derivatives against the slopes of the table, by least squares.
+/// Columns of derivatives against the slopes of the table: those that are not used, or do not fit.
 fn given_slopes(table: &CoefficientTable) -> Vec<Remark> {
     let rows = table.rows();
-    let remark = |slopes: &super::GivenSlopes| {
-        let (name, column) = match slopes.name {
-            "dCL" => LIFT,
-            "dCD" => DRAG,
-            _ => MOMENT,
-        };
-        let (mut product, mut square) = (0.0, 0.0);
-        for i in 1..rows.len() - 1 {
-            let (left, right) = (rows[i - 1], rows[i + 1]);
-            let rise = column(&right) - column(&left);
-            let own = rise / (right.angle - left.angle).to_radians();
-            product += own * slopes.values[i];
-            square += own * own;
-        }
-        let ratio = product / square;
-        let per_degree = 1_f64.to_radians();
-        let seen = if (ratio / per_degree - 1.0).abs() < 0.25 {
-            format!(
-                " and looks like the derivative per degree: it is {ratio:.4} of that of {name} per radian"
-            )
-        } else if (ratio - 1.0).abs() > 0.25 {
-            format!(" and does not fit: it is {ratio:.4} of the derivative of {name} per radian")
-        } else {
-            String::new()
-        };
-        Remark {
-            place: Place::file(table.file()),
-            what: format!(
-                "the column {} is not used{seen}; derivatives are those of the interpolation, per radian",
-                slopes.name
+    let columns = Column::COEFFICIENTS.iter().zip(&Column::SLOPES);
+    let given = columns
+        .enumerate()
+        .filter(|(place, _)| rows[0].slopes[*place].is_some());
+    let remark = |(_, (column, slopes)): (usize, (&Column, &Column))| {
+        let seen = misfit(column.name, ratio(rows, column, slopes));
+        let what = match (table.has_slopes(), seen) {
+            (true, None) => return None,
+            (true, Some(seen)) => format!("the column {} {seen}", slopes.name),
+            (false, seen) => format!(
+                "the column {} is not used{}; derivatives are those of the interpolation, per radian, unless the case \
+                 has `slopes = true`",
+                slopes.name,
+                seen.map_or(String::new(), |seen| format!(" and {seen}"))
             ),
-        }
+        };
+        let place = Place::file(table.file());
+        Some(Remark { place, what })
     };
-    table.given_slopes().iter().map(remark).collect()
+    given.filter_map(remark).collect()
+}
+
+/// How derivatives that a table gives do not fit.
+fn misfit(name: &str, ratio: f64) -> Option<String> {
+    if (ratio / 1_f64.to_radians() - 1.0).abs() < 0.25 {
+        Some(format!(
+            "looks like the derivative per degree: it is {ratio:.4} of that of {name} per radian"
+        ))
+    } else if (ratio - 1.0).abs() > 0.25 {
+        Some(format!(
+            "does not fit: it is {ratio:.4} of the derivative of {name} per radian"
+        ))
+    } else {
+        None
+    }
+}
+
+/// Derivatives that a table gives over the slopes of the table, by least squares.
+fn ratio(rows: &[Row], column: &Column, slopes: &Column) -> f64 {
+    let (mut product, mut square) = (0.0, 0.0);
+    for three in rows.windows(3) {
+        let rise = column.of(&three[2]) - column.of(&three[0]);
+        let own = rise / (three[2].angle - three[0].angle).to_radians();
+        product += own * slopes.of(&three[1]);
+        square += own * own;
+    }
+    product / square
 }
 
 /// The slopes of a column in the cells of a table, per radian.
-fn slopes(rows: &[Row], column: fn(&Row) -> f64) -> Vec<f64> {
+fn slopes(rows: &[Row], column: &Column) -> Vec<f64> {
     rows.windows(2)
         .map(|pair| {
-            (column(&pair[1]) - column(&pair[0])) / (pair[1].angle - pair[0].angle).to_radians()
+            (column.of(&pair[1]) - column.of(&pair[0]))
+                / (pair[1].angle - pair[0].angle).to_radians()
         })
         .collect()
 }
@@ -103,7 +113,8 @@ fn slopes(rows: &[Row], column: fn(&Row) -> f64) -> Vec<f64> {
 /// First and last angles that are read as one.
 fn joined_ends(table: &CoefficientTable) -> Option<Remark> {
     let [from, to] = table.joined?;
-    let [(first, angle), (last, _)] = table.ends();
+    let [angle, _] = table.ends();
+    let [first, last] = [table.rows.first()?.line, table.rows.last()?.line];
     Some(Remark {
         place: Place::line(table.file(), last),
         what: format!(
@@ -178,8 +189,8 @@ fn coarse_steps(table: &CoefficientTable) -> Option<Remark> {
     let cells = (0..rows.len() - 1).filter(|&place| !is_hole(place));
     let longest = cells
         .max_by(|one, other| width(*one).total_cmp(&width(*other)))
-        .filter(|place| width(*place) > LONGEST_GOOD_STEP * (1.0 + 1e-9))?;
-    let slopes = slopes(rows, LIFT.1);
+        .filter(|place| width(*place) > LONGEST_GOOD_STEP * (1.0 + ONE_ANGLE))?;
+    let slopes = slopes(rows, &Column::LIFT);
     let changes = slopes.windows(2).map(|pair| (pair[1] - pair[0]).abs());
     let beside_no_hole = |(place, _): &(usize, f64)| !is_hole(*place) && !is_hole(place + 1);
     let most = changes
@@ -208,8 +219,8 @@ fn jumps(table: &CoefficientTable) -> Vec<Remark> {
     let (first, last) = (rows[0], rows[rows.len() - 1]);
     let mut remarks = Vec::new();
     if table.has_a_jump_at_its_end() {
-        let parts = large_parts(table, &[LIFT, DRAG, MOMENT], |column| {
-            column(&first) - column(&last)
+        let parts = large_parts(table, table.curves(), |column| {
+            column.of(&first) - column.of(&last)
         });
         let parts: Vec<String> = parts
             .iter()
@@ -227,15 +238,9 @@ fn jumps(table: &CoefficientTable) -> Vec<Remark> {
         });
     }
     let is_at = |row: &Row, angle: f64| (row.angle - angle).abs() < 1e-9;
-    let is_half = is_at(&first, 0.0) && is_at(&last, 180.0);
-    if !is_half && !is_mirrored(table) {
+    if !is_mirrored(table) {
         return remarks;
     }
-    let condition = if is_half {
-        "if the other half of the circle mirrors this one, lift and moment are odd and jump there"
-    } else {
-        "the table mirrors itself, lift and moment are odd, and jump there"
-    };
     let is_known = |row: &Row| table.has_a_jump_at_its_end() && (*row == first || *row == last);
     let is_axis = |row: &&Row| {
         [-180.0, 0.0, 180.0, 360.0]
@@ -243,12 +248,13 @@ fn jumps(table: &CoefficientTable) -> Vec<Remark> {
             .any(|&axis| is_at(row, axis))
     };
     for row in rows.iter().filter(is_axis).filter(|row| !is_known(row)) {
-        let parts = large_parts(table, &[LIFT, MOMENT], |column| column(row));
+        let odd = [Column::LIFT, Column::MOMENT];
+        let parts = large_parts(table, &odd, |column| column.of(row));
         if !parts.is_empty() {
             remarks.push(Remark {
                 place: Place::line(table.file(), row.line),
                 what: format!(
-                    "{} at {}° and not 0: {condition}; derivatives in the cells next to it mean nothing",
+                    "{} at {}° and not 0: the table mirrors itself, lift and moment are odd, and jump there; derivatives in the cells next to it mean nothing",
                     parts.join(" and "),
                     row.angle
                 ),
@@ -259,14 +265,14 @@ fn jumps(table: &CoefficientTable) -> Vec<Remark> {
 }
 
 /// Which columns have a size that counts: `CL is 0.23`.
-fn large_parts(
+fn large_parts<'a>(
     table: &CoefficientTable,
-    columns: &[Column],
-    size: impl Fn(fn(&Row) -> f64) -> f64,
+    columns: impl IntoIterator<Item = &'a Column>,
+    size: impl Fn(&Column) -> f64,
 ) -> Vec<String> {
-    let large = columns.iter().filter_map(|(name, column)| {
-        let size = size(*column);
-        (size.abs() > NOTHING * table.span(column)).then(|| format!("{name} is {size}"))
+    let large = columns.into_iter().filter_map(|own| {
+        let (size, span) = (size(own), table.span(|row| own.of(row)));
+        (size.abs() > NOTHING * span).then(|| format!("{} is {size}", own.name))
     });
     large.collect()
 }
@@ -274,8 +280,9 @@ fn large_parts(
 /// Whether the curves on both sides of 0° are mirror images: drag even, lift and moment odd.
 fn is_mirrored(table: &CoefficientTable) -> bool {
     let rows = table.rows();
-    let same = |(_, column): Column, row: &Row, image: &Row, sign: f64| {
-        (column(row) - sign * column(image)).abs() <= 1e-6 * table.span(column)
+    let same = |column: Column, row: &Row, image: &Row, sign: f64| {
+        let span = table.span(|row| column.of(row));
+        (column.of(row) - sign * column.of(image)).abs() <= 1e-6 * span
     };
     let turned = |angle: f64| angle.rem_euclid(360.0);
     let mut pairs = 0;
@@ -293,9 +300,9 @@ fn is_mirrored(table: &CoefficientTable) -> bool {
         let Some(other) = images.next().filter(|_| !is_axis) else {
             continue;
         };
-        let fits = same(DRAG, row, other, 1.0)
-            && same(LIFT, row, other, -1.0)
-            && same(MOMENT, row, other, -1.0);
+        let fits = same(Column::DRAG, row, other, 1.0)
+            && same(Column::LIFT, row, other, -1.0)
+            && same(Column::MOMENT, row, other, -1.0);
         if !fits {
             return false;
         }
