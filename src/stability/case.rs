@@ -260,6 +260,13 @@ impl Case {
             }
         }
         let (size, r) = (p.reference_dimension, p.radius_of_gyration);
+        // Hardly anything that stands in the wind weighs less than the air around it.
+        if p.mass < p.air_density * size * size {
+            remark(format!(
+                "m = {} kg/m beside D = {size} m weighs less than the air in a square of that side; all lengths are in m, 50 mm is 0.05",
+                p.mass
+            ));
+        }
         for (name, length) in [Quantity::r, Quantity::L_a].map(given) {
             if length > MOST_USUAL_LENGTHS * size || (name == "r" && size > MOST_USUAL_LENGTHS * r)
             {

@@ -7,6 +7,7 @@ mod heading;
 mod meaning;
 mod mirror;
 mod names;
+mod oddity;
 pub mod reading;
 pub mod remarks;
 mod row;

@@ -188,7 +188,9 @@ fn mistaken_units_are_named() {
     assert!(
         remarks("zeta_x = 0.008", "zeta_x = 0.8").contains("zeta_x = 0.8 is a damping of 80 %")
     );
-    assert!(remarks("D = 0.05", "D = 50").contains("r = 0.0178 m beside D = 50 m"));
+    let millimetres = remarks("D = 0.05", "D = 50");
+    assert!(millimetres.contains("r = 0.0178 m beside D = 50 m"));
+    assert!(millimetres.contains("m = 3.5 kg/m beside D = 50 m weighs less than the air"));
 
     // A table in radians ends before the sweep does: that is not what is wrong with it.
     let (case, _) = shipped_case("detuned.toml", &[]);

@@ -133,13 +133,13 @@ pub(super) fn meaning(name: &str) -> Option<(Meaning, Option<Unit>)> {
         return Some((meaning, None));
     }
     let is_slope = |own: &Meaning| matches!(own, Meaning::Slope(_));
-    let found = |unit: &&str| {
-        let of = |own: &str| Some((known(own.strip_suffix(*unit)?)?, Unit::of(unit)));
-        let per = |own: &str| known(numerator(own.strip_suffix(*unit)?)).filter(is_slope);
+    let found = |unit: &str| {
+        let of = |own: &str| Some((known(own.strip_suffix(unit)?)?, Unit::of(unit)));
+        let per = |own: &str| known(numerator(own.strip_suffix(unit)?)).filter(is_slope);
         let angle = of(&own).filter(|(own, _)| *own == Meaning::Angle);
         angle.or_else(|| Some((per(own.trim_end_matches(POWERS))?, Unit::of(unit))))
     };
-    UNITS.iter().find_map(|unit| found(&unit))
+    UNITS.iter().find_map(|unit| found(unit))
 }
 
 /// The meaning of a usual name in small letters.

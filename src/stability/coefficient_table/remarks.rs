@@ -2,6 +2,7 @@
 
 use super::angle::ONE_ANGLE;
 use super::column::Column;
+use super::oddity::{Oddity, oddities};
 use super::{CoefficientTable, Row};
 use crate::stability::input::{Place, Remark};
 
@@ -13,8 +14,10 @@ const NOTHING: f64 = 1e-3;
 
 /// What is odd about a table, in the order in which one should look at it.
 ///
-/// What was not used, sorted or left out as the table was read comes first. Looked for are ends that are read as one angle, holes and cells that are hardly there, angles that seem to be in radians, derivatives that seem to be per degree, steps too
-/// coarse for derivatives, and jumps at 0°, 180° and 360° of a curve that is its own mirror image.
+/// What was not used, sorted or left out as the table was read comes first. Looked for
+/// are angles that seem to be in radians, ends that are read as one angle, holes and cells that are hardly there, drag
+/// below 0, numbers that do not fit those beside, derivatives that seem to be per degree, steps too coarse for
+/// derivatives, and jumps at 0°, 180° and 360° of a curve that is its own mirror image.
 /// n log n in the number of rows.
 pub fn remarks(table: &CoefficientTable) -> Vec<Remark> {
     let mut remarks = table.notes.clone();
@@ -22,6 +25,8 @@ pub fn remarks(table: &CoefficientTable) -> Vec<Remark> {
     remarks.extend(joined_ends(table));
     remarks.extend(holes(table));
     remarks.extend(narrow_cells(table));
+    remarks.extend(drag_below_0(table));
+    remarks.extend(odd_numbers(table));
     remarks.extend(given_slopes(table));
     if !table.has_slopes() {
         remarks.extend(coarse_steps(table));
@@ -98,6 +103,86 @@ fn ratio(rows: &[Row], column: &Column, slopes: &Column) -> f64 {
         square += own * own;
     }
     product / square
+}
+
+/// A drag that points into the wind, as where columns are swapped.
+fn drag_below_0(table: &CoefficientTable) -> Option<Remark> {
+    let rows = table.rows();
+    let is_below = |row: &&Row| row.drag < 0.0;
+    let first = rows.iter().find(is_below)?;
+    let reason = match rows.iter().all(|row| row.lift > 0.0) {
+        true => "CL is above 0 everywhere, so the two columns look swapped",
+        false => {
+            "look whether columns are swapped, a sign is turned, or the forces are along the axes of the section"
+        }
+    };
+    Some(Remark {
+        place: Place::line(table.file(), first.line),
+        what: format!(
+            "CD is {} at {}°, and below 0 in {} of {} rows; drag is along the wind: {reason}",
+            first.drag,
+            first.angle,
+            rows.iter().filter(is_below).count(),
+            rows.len()
+        ),
+    })
+}
+
+/// Single numbers, and jumps, that do not fit those beside.
+fn odd_numbers(table: &CoefficientTable) -> Vec<Remark> {
+    let rows = table.rows();
+    // At the axes of what mirrors itself jumps are looked for below.
+    let is_mirrored = is_mirrored(table);
+    let is_known =
+        |own: &Oddity| is_mirrored && rows[own.row()..own.row() + 2].iter().any(is_at_an_axis);
+    let mut remarks: Vec<Remark> = Vec::new();
+    for column in table.curves() {
+        for own in oddities(rows, column).iter().filter(|own| !is_known(own)) {
+            let (row, next) = (&rows[own.row()], &rows[own.row() + 1]);
+            let (line, what) = match own {
+                Oddity::Spike { off, .. } => {
+                    (row.line, spike(column.name, column.of(row), row, *off))
+                }
+                Oddity::Jump { by, .. } => {
+                    (row.line.max(next.line), jump(column.name, row, next, *by))
+                }
+            };
+            let place = Place::line(table.file(), line);
+            // A mirrored row is odd twice.
+            let is_new =
+                |other: &Remark| other.place != place || !other.what.starts_with(column.name);
+            if remarks.iter().all(is_new) {
+                remarks.push(Remark { place, what });
+            }
+        }
+    }
+    limited(remarks)
+}
+
+fn spike(name: &str, value: f64, row: &Row, off: f64) -> String {
+    format!(
+        "{name} is {value} at {}°, about {off:.2} off the curve of the rows beside: correct it if it is a slip, which \
+         bends the curve around it",
+        row.angle
+    )
+}
+
+fn jump(name: &str, row: &Row, next: &Row, by: f64) -> String {
+    format!(
+        "{name} jumps by about {by:.2} from {}° to {}° (lines {} and {}): derivatives between them, and next to them, \
+         mean little",
+        row.angle, next.angle, row.line, next.line
+    )
+}
+
+/// The first five remarks, with how many there are more.
+fn limited(mut remarks: Vec<Remark>) -> Vec<Remark> {
+    let more = remarks.len().saturating_sub(MOST_NAMED);
+    remarks.truncate(MOST_NAMED);
+    if let (Some(last), true) = (remarks.last_mut(), more > 0) {
+        last.what += &format!("; and so in {more} places more");
+    }
+    remarks
 }
 
 /// The slopes of a column in the cells of a table, per radian.
@@ -237,17 +322,14 @@ fn jumps(table: &CoefficientTable) -> Vec<Remark> {
             ),
         });
     }
-    let is_at = |row: &Row, angle: f64| (row.angle - angle).abs() < 1e-9;
     if !is_mirrored(table) {
         return remarks;
     }
     let is_known = |row: &Row| table.has_a_jump_at_its_end() && (*row == first || *row == last);
-    let is_axis = |row: &&Row| {
-        [-180.0, 0.0, 180.0, 360.0]
-            .iter()
-            .any(|&axis| is_at(row, axis))
-    };
-    for row in rows.iter().filter(is_axis).filter(|row| !is_known(row)) {
+    for row in rows
+        .iter()
+        .filter(|row| is_at_an_axis(row) && !is_known(row))
+    {
         let odd = [Column::LIFT, Column::MOMENT];
         let parts = large_parts(table, &odd, |column| column.of(row));
         if !parts.is_empty() {
@@ -262,6 +344,11 @@ fn jumps(table: &CoefficientTable) -> Vec<Remark> {
         }
     }
     remarks
+}
+
+/// Whether a row is at 0° or 180°.
+fn is_at_an_axis(row: &Row) -> bool {
+    (row.angle / 180.0 - (row.angle / 180.0).round()).abs() < 1e-11
 }
 
 /// Which columns have a size that counts: `CL is 0.23`.
