@@ -5,8 +5,10 @@ use std::path::{Path, PathBuf};
 
 use sextic::stability::case::Case;
 use sextic::stability::coefficient_table::CoefficientTable;
+use sextic::stability::coefficient_table::reading::Reading;
 use sextic::stability::coefficient_table::remarks::remarks;
 use sextic::stability::comparison::compare;
+use sextic::stability::interpolation::{CoefficientCurves, Interpolation};
 
 /// The folder of the cases that come with the project.
 pub fn shipped() -> PathBuf {
@@ -171,8 +173,34 @@ fn the_table_that_is_shipped_is_that_of_its_formulas() {
 
 proptest::proptest! {
     #[test]
+    fn no_numbers_make_the_readers_panic(
+        numbers in proptest::collection::vec(proptest::array::uniform4(-4..4_i32), 4..14),
+        step in proptest::sample::select(vec![1e-12, 0.5, 30.0, 60.0, 90.0]),
+    ) {
+        let rows = numbers.iter().map(|[angle, lift, drag, moment]| {
+            format!("{},{lift},{drag},{moment}e9\n", f64::from(*angle) * step)
+        });
+        let text = format!("alpha_deg,CL,CD,CM\n{}", rows.collect::<String>());
+        for mirror in [false, true] {
+            let reading = Reading { mirror, ..Reading::default() };
+            if let Ok(table) = CoefficientTable::read_as("any.csv", &text, &reading) {
+                remarks(&table);
+                let curves = CoefficientCurves::new(&table, Interpolation::Cubic).expect("curves");
+                let _ = curves.at(12.0);
+            }
+        }
+    }
+
+    #[test]
     fn no_text_makes_the_readers_panic(text in "(alpha_deg|AoA|CL|CD|CM|rad|sep=|//|[0-9.,;\t\n\"#!% −°-]){0,80}") {
-        let _ = CoefficientTable::read("any.csv", &text).map(|table| remarks(&table));
+        for [mirror, slopes] in [[false, false], [true, false], [true, true]] {
+            let columns = [("CL".to_string(), "CD".to_string())];
+            for columns in [[].into(), columns.into()] {
+                let reading = Reading { columns, mirror, slopes };
+                let table = CoefficientTable::read_as("any.csv", &text, &reading);
+                let _ = table.map(|table| remarks(&table));
+            }
+        }
         let _ = Case::read("any.toml", &text);
     }
 }

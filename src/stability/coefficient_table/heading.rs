@@ -1,6 +1,6 @@
 //! Where the columns of a table stand.
 
-use super::meaning::{Meaning, Unit};
+use super::meaning::{Meaning, Unit, meaning};
 use super::names::Names;
 use crate::stability::input::{InputError, Place, meant_among, quoted};
 
@@ -170,7 +170,10 @@ fn missing(place: &Place, heading: &[String], name: &str, names: &Names) -> Inpu
         return InputError::new(place.clone(), what, help);
     }
     let unknown = |own: &&String| names.meaning(own).is_none() && !own.is_empty();
-    let near = heading.iter().filter(unknown).find_map(|own| {
+    let unusual = heading
+        .iter()
+        .filter(|own| unknown(own) && meaning(own).is_none());
+    let near = unusual.into_iter().find_map(|own| {
         let help = meant_among(&[name], own, &COLUMNS);
         help.starts_with("did you mean").then_some((own, help))
     });

@@ -48,7 +48,9 @@ impl Mirror {
                 "leave `mirror = true` out of the case, or keep one half of the table",
             );
         }
-        let Some(axis) = ends.into_iter().find(|own| nearest_axis(*own) == *own) else {
+        let axes = ends.into_iter().filter(|own| nearest_axis(*own) == *own);
+        let nearest = axes.min_by(|one, other| one.abs().total_cmp(&other.abs()));
+        let Some(axis) = nearest else {
             return wrong(
                 "is to be mirrored, but neither begins nor ends at an axis, 0° or 180°",
                 "add the row of the axis, or leave `mirror = true` out of the case",
