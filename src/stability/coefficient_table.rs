@@ -238,6 +238,11 @@ impl CoefficientTable {
         &self.rows
     }
 
+    /// Whether a row is in the text, and not only an image of one.
+    pub(super) fn is_written(&self, row: &Row) -> bool {
+        self.mirror.is_none_or(|mirror| mirror.holds(row))
+    }
+
     /// Whether any coefficient has an error.
     pub fn has_errors(&self) -> bool {
         self.rows.iter().any(|row| row.errors != [0.0; 3])

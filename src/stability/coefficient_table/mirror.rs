@@ -60,6 +60,12 @@ impl Mirror {
         Ok(Mirror { rows, ends, axis })
     }
 
+    /// Whether a row is one of those that were there.
+    pub fn holds(&self, row: &Row) -> bool {
+        let [from, to] = self.ends;
+        from <= row.angle && row.angle <= to
+    }
+
     /// Adds the images of rows.
     pub fn add_images(&self, rows: &mut Vec<Row>) {
         let is_other = |row: &&Row| (row.angle - self.axis).abs() > WHOLE;

@@ -1,5 +1,7 @@
 //! Numbers of a table that fit those beside them badly.
 
+use std::ops::RangeInclusive;
+
 use super::column::Column;
 use super::row::Row;
 
@@ -53,6 +55,14 @@ pub(super) fn oddities(rows: &[Row], column: &Column) -> Vec<Oddity> {
 }
 
 impl Oddity {
+    /// The rows that it is about.
+    pub fn rows(&self) -> RangeInclusive<usize> {
+        match self {
+            Oddity::Spike { row, .. } => *row..=*row,
+            Oddity::Jump { row, .. } => *row..=*row + 1,
+        }
+    }
+
     /// The row, or the one before the jump.
     pub fn row(&self) -> usize {
         match self {

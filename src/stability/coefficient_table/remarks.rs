@@ -107,8 +107,9 @@ fn ratio(rows: &[Row], column: &Column, slopes: &Column) -> f64 {
 
 /// A drag that points into the wind, as where columns are swapped.
 fn drag_below_0(table: &CoefficientTable) -> Option<Remark> {
-    let rows = table.rows();
-    let is_below = |row: &&Row| row.drag < 0.0;
+    let rows = table.rows().iter().filter(|row| table.is_written(row));
+    let rows: Vec<&Row> = rows.collect();
+    let is_below = |row: &&&Row| row.drag < 0.0;
     let first = rows.iter().find(is_below)?;
     let reason = match rows.iter().all(|row| row.lift > 0.0) {
         true => "CL is above 0 everywhere, so the two columns look swapped",
@@ -133,30 +134,26 @@ fn odd_numbers(table: &CoefficientTable) -> Vec<Remark> {
     let rows = table.rows();
     // At the axes of what mirrors itself jumps are looked for below.
     let is_mirrored = is_mirrored(table);
-    let is_known =
-        |own: &Oddity| is_mirrored && rows[own.row()..own.row() + 2].iter().any(is_at_an_axis);
-    let mut remarks: Vec<Remark> = Vec::new();
-    for column in table.curves() {
-        for own in oddities(rows, column).iter().filter(|own| !is_known(own)) {
-            let (row, next) = (&rows[own.row()], &rows[own.row() + 1]);
-            let (line, what) = match own {
-                Oddity::Spike { off, .. } => {
-                    (row.line, spike(column.name, column.of(row), row, *off))
-                }
-                Oddity::Jump { by, .. } => {
-                    (row.line.max(next.line), jump(column.name, row, next, *by))
-                }
-            };
-            let place = Place::line(table.file(), line);
-            // A mirrored row is odd twice.
-            let is_new =
-                |other: &Remark| other.place != place || !other.what.starts_with(column.name);
-            if remarks.iter().all(is_new) {
-                remarks.push(Remark { place, what });
-            }
-        }
-    }
-    limited(remarks)
+    let is_new = |own: &Oddity| {
+        let ends = &rows[own.row()..own.row() + 2];
+        let is_known = |row| is_mirrored && is_at_an_axis(row);
+        ends.iter()
+            .all(|row| table.is_written(row) && !is_known(row))
+    };
+    let remark = |column: &Column, own: Oddity| {
+        let (row, next) = (&rows[own.row()], &rows[own.row() + 1]);
+        let (line, what) = match own {
+            Oddity::Spike { off, .. } => (row.line, spike(column.name, column.of(row), row, off)),
+            Oddity::Jump { by, .. } => (next.line, jump(column.name, row, next, by)),
+        };
+        let place = Place::line(table.file(), line);
+        Remark { place, what }
+    };
+    let all = table.curves().flat_map(|column| {
+        let odd = oddities(rows, column).into_iter().filter(is_new);
+        odd.map(move |own| remark(column, own))
+    });
+    limited(all.collect())
 }
 
 fn spike(name: &str, value: f64, row: &Row, off: f64) -> String {
