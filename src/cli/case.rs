@@ -43,7 +43,8 @@ pub fn case_and_table(
     Ok((case, table))
 }
 
-/// The same with the texts of the files; what is odd about them is left to the caller.
+/// The same with the texts of the files; what is odd about them is left to the caller. What is read is said on
+/// standard error.
 ///
 /// # Errors
 ///
@@ -56,6 +57,7 @@ pub fn set_case_and_files(
     let set: Vec<Setting> = set.iter().map(setting).collect::<Result<_, _>>()?;
     let (case, table, files) = case_and_files(path, outputs)?;
     let case = case.with(&set).map_err(|error| refuse(&error))?;
+    complain(&read_from(&case, &table));
     Ok((case, table, files))
 }
 
@@ -105,10 +107,30 @@ fn case_and_files(
         let place = Place::file(&table_file.path);
         warn(&[Remark { place, what }]);
     }
-    let table = CoefficientTable::read(&table_file.path, &table_file.text)
-        .and_then(|table| case.with_errors(table))
+    let table = case
+        .read_table(&table_file.path, &table_file.text)
         .map_err(|error| refuse(&error))?;
     Ok((case, table, [case_file, table_file]))
+}
+
+/// What is read: how far the table goes, how it is read between its angles, and by which columns.
+fn read_from(case: &Case, table: &CoefficientTable) -> String {
+    let [from, to] = table.ends();
+    let end = match table.is_circle() {
+        true => "period 360°".to_string(),
+        false => format!("ends at {from}° and {to}°"),
+    };
+    let slopes = match table.has_slopes() {
+        true => "derivatives by columns",
+        false => "derivatives of the curves",
+    };
+    format!(
+        "Table {}: {}; {end}; {}\nColumns {}; {slopes}\n",
+        shortened(table.file()),
+        table.reading(),
+        case.interpolation,
+        table.columns().join(", ")
+    )
 }
 
 /// Writes what is wrong with a case or a table.

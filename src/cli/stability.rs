@@ -47,6 +47,9 @@ A case file:
   L_a = 0.03                      # to the aerodynamic centre in m
   gamma_r_deg = 0                 # and its angle in degrees
   coefficients = \"table.csv\"      # with the columns alpha_deg, CL, CD, CM
+  # columns = { CL = \"ca\" }        if columns have other names than the usual ones
+  mirror = false                  # true: half a table is continued by symmetry; may be left out
+  slopes = false                  # true: derivatives are dCL, dCD, dCM of the table; may be left out
   interpolation = \"cubic\"         # or \"linear\": a slope for each cell, at a row that above it;
                                   # \"smooth\": no closer to the table than this scatters
   errors = { CD = 0.02, CL = 0.02, CM = 0.005 }  # of the coefficients; may be left out
@@ -69,7 +72,10 @@ A case file:
 A table names its columns in a row by their usual names (alpha_deg, AoA, alpha [rad]; CL, Cl, C_L;
 CD; CM), separated by commas, semicolons, tabs or blanks. A row of units, comments (#, !, %, //),
 other columns, any order of rows and rows that are repeated are read over, and said; polars of
-AeroDyn are such tables. Columns CD_error, CL_error and CM_error have errors of the coefficients.
+AeroDyn are such tables. A case may say what else columns are called, by alpha_deg or alpha_rad, CL,
+CD, CM, dCL, dCD, dCM, CL_error, CD_error, CM_error. A table that is to be mirrored ends at 0 or 180
+degrees; drag is even about it, lift and moment are odd. Slopes are per radian, or per degree if the
+heading says so (dCL [1/deg]). What is read of a table is said on standard error.
 
 Where the coefficients have errors, each angle also has a verdict for all coefficients within them:
 stable, unstable, depends (two were found, one stable and one not) or open (none of these is shown).

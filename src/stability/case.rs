@@ -10,6 +10,7 @@ use self::file::File;
 use self::keys::{Lines, SWEEP, check_keys, not_read};
 pub use self::turn::Turn;
 use super::coefficient_table::CoefficientTable;
+use super::coefficient_table::reading::Reading;
 use super::error::StabilityError;
 use super::forces::Forces;
 use super::input::{InputError, Place, Remark};
@@ -68,6 +69,8 @@ pub struct Case {
     pub parameters: Parameters,
     /// The coefficient table, relative to the folder of the case file.
     pub coefficients: String,
+    /// What its columns mean, whether it is mirrored, and where derivatives are from.
+    pub reading: Reading,
     /// How the table is read between its angles.
     pub interpolation: Interpolation,
     /// How far C_D, C_L and C_M may be from those of the table, if the case says so.
@@ -133,6 +136,7 @@ impl Case {
             file: file.into(),
             parameters,
             coefficients: read.coefficients.unwrap_or_default(),
+            reading: read.reading,
             interpolation: read.interpolation.unwrap_or(Interpolation::Linear),
             errors: read.errors.map(|own| [own.drag, own.lift, own.moment]),
             angles: Angles {
@@ -273,6 +277,13 @@ impl Case {
             }
         }
         let (size, r) = (p.reference_dimension, p.radius_of_gyration);
+        // Hardly anything that stands in the wind weighs less than the air around it.
+        if p.mass < p.air_density * size * size {
+            remark(format!(
+                "m = {} kg/m beside D = {size} m weighs less than the air in a square of that side; all lengths are in m, 50 mm is 0.05",
+                p.mass
+            ));
+        }
         for (name, length) in [Quantity::r, Quantity::L_a].map(given) {
             if length > MOST_USUAL_LENGTHS * size || (name == "r" && size > MOST_USUAL_LENGTHS * r)
             {
@@ -315,19 +326,32 @@ impl Case {
         }
     }
 
-    /// The table with the errors that the case gives.
+    /// Reads the text of the table as the case says, with the errors that the case gives.
     ///
     /// # Errors
     ///
-    /// If the table has errors of its own.
-    pub fn with_errors(&self, table: CoefficientTable) -> Result<CoefficientTable, InputError> {
+    /// As [`CoefficientTable::read_as`]; also if the table has errors of its own, or derivatives, of which no errors
+    /// are known.
+    pub fn read_table(&self, file: &str, text: &str) -> Result<CoefficientTable, InputError> {
+        let table = CoefficientTable::read_as(file, text, &self.reading)?;
+        let wrong = |what: String, help: &str| {
+            let place = Place::file(&self.file);
+            Err(InputError::new(place, what, help))
+        };
+        if table.has_slopes() && (self.errors.is_some() || table.has_errors()) {
+            let what =
+                "`slopes = true`, but how far the derivatives may be off is not known".into();
+            return wrong(
+                what,
+                "leave out `slopes`, or the errors of the coefficients",
+            );
+        }
         match self.errors {
             None => Ok(table),
-            Some(_) if table.has_errors() => Err(InputError::new(
-                Place::file(&self.file),
-                format!("the case gives errors, and so does {}", table.file()),
-                "keep one of both",
-            )),
+            Some(_) if table.has_errors() => {
+                let what = format!("the case gives errors, and so does {}", table.file());
+                wrong(what, "keep one of both")
+            }
             Some(errors) => Ok(table.with_errors(errors)),
         }
     }

@@ -1,40 +1,31 @@
 //! A table of force coefficients against the angle of attack, as a wind tunnel gives it.
 
+mod angle;
 mod cells;
+pub(super) mod column;
 mod heading;
+mod meaning;
+mod mirror;
+mod names;
+mod oddity;
+pub mod reading;
 pub mod remarks;
+mod row;
 pub mod scatter;
 mod sheet;
 
-use self::heading::{Columns, Unit};
-use self::sheet::{Separator, Sheet};
+use self::angle::WHOLE;
+use self::column::Column;
+use self::heading::Columns;
+use self::meaning::Unit;
+use self::mirror::{Mirror, put_ends_on_axes};
+use self::names::Names;
+use self::reading::Reading;
+use self::sheet::Sheet;
 use super::input::{InputError, Place, Remark, quoted};
 
-/// A row of a table: C_D, C_L and C_M at an angle of attack in degrees.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Row {
-    /// α, in degrees.
-    pub angle: f64,
-    /// C_D.
-    pub drag: f64,
-    /// C_L.
-    pub lift: f64,
-    /// C_M.
-    pub moment: f64,
-    /// C_D, C_L and C_M may be as far from these; 0 where nothing is said.
-    pub errors: [f64; 3],
-    /// The line of the file, from 1.
-    pub line: usize,
-}
-
-/// A column of derivatives that a table brings along: it is compared, and not used.
-#[derive(Clone, Debug, PartialEq)]
-pub struct GivenSlopes {
-    /// Its name: `dCL`.
-    pub name: &'static str,
-    /// A value a row, in whatever unit.
-    pub values: Vec<f64>,
-}
+pub(super) use self::names::KEYS;
+pub use self::row::Row;
 
 /// A coefficient table: at least four rows, finite, the angles increasing, within 360°.
 ///
@@ -56,7 +47,12 @@ pub struct GivenSlopes {
 pub struct CoefficientTable {
     file: String,
     rows: Vec<Row>,
-    given_slopes: Vec<GivenSlopes>,
+    /// The columns that are used.
+    columns: Vec<String>,
+    /// Whether derivatives are those of columns.
+    has_slopes: bool,
+    /// How the table was continued by symmetry.
+    mirror: Option<Mirror>,
     /// The first and the last angle as they are written, where they are read as one.
     joined: Option<[f64; 2]>,
     /// What was not used, sorted or left out.
@@ -65,15 +61,6 @@ pub struct CoefficientTable {
 
 /// The fewest rows that make a curve with a slope.
 pub(super) const FEWEST_ROWS: usize = 4;
-
-/// What is closer to 360° than this, in degrees, is 360°.
-const WHOLE: f64 = 1e-9;
-
-/// How the columns of errors are called.
-const ERRORS: [&str; 3] = ["CD_error", "CL_error", "CM_error"];
-
-/// Larger numbers than any that mean something, and far from where products of them overflow.
-const LARGEST: f64 = 1e30;
 
 impl CoefficientTable {
     /// Reads the text of a table; `file` is its name in messages.
@@ -91,36 +78,66 @@ impl CoefficientTable {
     /// Columns that are missing or there twice, what is no finite number, fewer than four rows, two rows of one angle
     /// that differ, and angles that go over more than 360°, with the line.
     pub fn read(file: &str, text: &str) -> Result<Self, InputError> {
+        CoefficientTable::read_as(file, text, &Reading::default())
+    }
+
+    /// Reads the text of a table as a case says.
+    ///
+    /// ```
+    /// use sextic::stability::coefficient_table::{CoefficientTable, reading::Reading};
+    ///
+    /// let text = "Winkel,ca,CD,CM\n0,0,1,0\n60,1,1,0\n120,1,1,0\n180,0,1,0\n";
+    /// let columns = [("alpha_deg", "Winkel"), ("CL", "ca")];
+    /// let columns = columns.map(|(key, name)| (key.to_string(), name.to_string()));
+    /// let reading = Reading { columns: columns.into(), mirror: true, slopes: false };
+    /// let table = CoefficientTable::read_as("table.csv", text, &reading)?;
+    /// assert_eq!((table.rows()[1].angle, table.rows()[1].lift), (-120.0, -1.0));
+    /// # Ok::<(), sextic::stability::input::InputError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As [`CoefficientTable::read`]; also where the table is not as the case says: columns that are not there, and a
+    /// table that is to be mirrored but ends on no axis, or has both halves.
+    pub fn read_as(file: &str, text: &str, reading: &Reading) -> Result<Self, InputError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let sheet = Sheet::read(file, text)?;
-        let columns = Columns::read(&Place::line(file, sheet.line), &sheet.heading)?;
-        let named = sheet
-            .units
-            .get(columns.places[0])
-            .and_then(|own| Unit::of(own));
-        let unit = columns.unit.or(named);
+        let names = Names(reading);
+        let sheet = Sheet::read(file, text, &names)?;
+        let heading = Place::line(file, sheet.line);
+        let mut columns = Columns::read(&heading, &sheet.heading, &names)?;
+        columns.read_units(&heading, &sheet.units)?;
+        if reading.slopes {
+            columns.check_slopes(&heading)?;
+        }
+        let unit = columns.unit.unwrap_or(Unit::Degrees);
         let mut table = CoefficientTable {
             file: file.into(),
             rows: Vec::new(),
-            given_slopes: columns.given_slopes(),
+            columns: columns.used(&sheet.heading, unit, reading.slopes),
+            has_slopes: reading.slopes,
+            mirror: None,
             joined: None,
             notes: Vec::new(),
         };
-        table.note_heading(&sheet, &columns, unit);
-        let unit = unit.unwrap_or(Unit::Degrees);
+        table.note_heading(&sheet, &columns);
         for (line, cells) in &sheet.rows {
-            table.add(&columns, unit, *line, cells, sheet.separator)?;
+            let place = Place::line(file, *line);
+            let row = Row::read(&place, &columns, unit, cells, sheet.separator)?;
+            table.rows.push(row);
         }
         table.sort();
         table.drop_repeated_rows();
         table.check()?;
+        if reading.mirror {
+            table.add_images()?;
+        }
         table.join_ends();
         table.check_reach()?;
         Ok(table)
     }
 
     /// What of the heading, and before it, is not used or not said.
-    fn note_heading(&mut self, sheet: &Sheet, columns: &Columns, unit: Option<Unit>) {
+    fn note_heading(&mut self, sheet: &Sheet, columns: &Columns) {
         if let [first, ..] = sheet.before.as_slice() {
             let what = format!(
                 "{} before the columns are named in line {} are not read",
@@ -142,7 +159,7 @@ impl CoefficientTable {
             self.note(sheet.line, what);
         }
         let angle = &sheet.heading[columns.places[0]];
-        match unit {
+        match columns.unit {
             None => self.note(
                 sheet.line,
                 format!("`{}` names no unit: it is read in degrees", quoted(angle)),
@@ -202,17 +219,29 @@ impl CoefficientTable {
         self.take(&kept);
     }
 
+    /// Continues half a table by symmetry.
+    fn add_images(&mut self) -> Result<(), InputError> {
+        let moved = put_ends_on_axes(&self.file, &mut self.rows);
+        self.notes.extend(moved);
+        let mirror = Mirror::of(&self.file, &self.rows)?;
+        mirror.add_images(&mut self.rows);
+        self.mirror = Some(mirror);
+        Ok(())
+    }
+
     /// The rows of these places, in this order.
     fn take(&mut self, places: &[usize]) {
         self.rows = places.iter().map(|&own| self.rows[own]).collect();
-        for slopes in &mut self.given_slopes {
-            slopes.values = places.iter().map(|&own| slopes.values[own]).collect();
-        }
     }
 
     /// The rows, their angles increasing.
     pub fn rows(&self) -> &[Row] {
         &self.rows
+    }
+
+    /// Whether a row is in the text, and not only an image of one.
+    pub(super) fn is_written(&self, row: &Row) -> bool {
+        self.mirror.is_none_or(|mirror| mirror.holds(row))
     }
 
     /// Whether any coefficient has an error.
@@ -227,9 +256,14 @@ impl CoefficientTable {
         self
     }
 
-    /// The columns of derivatives that the table brings along.
-    pub fn given_slopes(&self) -> &[GivenSlopes] {
-        &self.given_slopes
+    /// The columns that are used, with the names that they have: `CL`, `CD = `cw``.
+    pub fn columns(&self) -> &[String] {
+        &self.columns
+    }
+
+    /// Whether derivatives are those of columns, and not those of the curves.
+    pub fn has_slopes(&self) -> bool {
+        self.has_slopes
     }
 
     /// The file as the user named it.
@@ -241,11 +275,18 @@ impl CoefficientTable {
     /// what one of them varies by.
     pub fn has_a_jump_at_its_end(&self) -> bool {
         let (first, last) = (&self.rows[0], &self.rows[self.rows.len() - 1]);
-        let columns: [fn(&Row) -> f64; 3] = [|row| row.drag, |row| row.lift, |row| row.moment];
-        let differs = |column: &fn(&Row) -> f64| {
-            (column(first) - column(last)).abs() > 1e-3 * self.span(column)
+        let differs = |own: &Column| {
+            (own.of(first) - own.of(last)).abs() > 1e-3 * self.span(|row| own.of(row))
         };
-        self.is_closed() && columns.iter().any(differs)
+        self.is_closed() && self.curves().any(differs)
+    }
+
+    /// The columns of which curves are made.
+    pub(super) fn curves(&self) -> impl Iterator<Item = &'static Column> {
+        let has_slopes = self.has_slopes;
+        Column::COEFFICIENTS
+            .iter()
+            .chain(Column::SLOPES.iter().filter(move |_| has_slopes))
     }
 
     /// From the least to the largest number of a column: the scale of what may be neglected in it.
@@ -255,51 +296,6 @@ impl CoefficientTable {
             [least.min(own), most.max(own)]
         });
         ends[1] - ends[0]
-    }
-
-    fn add(
-        &mut self,
-        columns: &Columns,
-        unit: Unit,
-        line: usize,
-        cells: &[String],
-        separator: Separator,
-    ) -> Result<(), InputError> {
-        let place = Place::line(&self.file, line);
-        if cells.len() != columns.count {
-            let what = format!("{} cells below {} columns", cells.len(), columns.count);
-            let help = if separator == Separator::Comma && cells.len() > columns.count {
-                "if the comma is a decimal comma, write decimal points, or separate the columns with semicolons"
-            } else {
-                "each row has a number for each column"
-            };
-            return Err(InputError::new(place, what, help));
-        }
-        let number = |column: usize, name: &str| number(&place, name, &cells[column]);
-        let [angle, lift, drag, moment] = columns.places;
-        let mut errors = [0.0; 3];
-        for ((own, column), name) in errors.iter_mut().zip(columns.errors).zip(ERRORS) {
-            if let Some(column) = column {
-                *own = number(column, name)?;
-                if *own < 0.0 {
-                    let what = format!("{name} is {own}, below 0");
-                    let help = "an error is how far a coefficient may be off, to both sides";
-                    return Err(InputError::new(place, what, help));
-                }
-            }
-        }
-        self.rows.push(Row {
-            angle: unit.degrees(number(angle, "alpha_deg")?),
-            lift: number(lift, "CL")?,
-            drag: number(drag, "CD")?,
-            moment: number(moment, "CM")?,
-            errors,
-            line,
-        });
-        for (slopes, (name, column)) in self.given_slopes.iter_mut().zip(&columns.slopes) {
-            slopes.values.push(number(*column, name)?);
-        }
-        Ok(())
     }
 
     fn check(&self) -> Result<(), InputError> {
@@ -338,58 +334,10 @@ impl CoefficientTable {
     }
 }
 
-impl Columns {
-    fn given_slopes(&self) -> Vec<GivenSlopes> {
-        let empty = |&(name, _): &(&'static str, usize)| GivenSlopes {
-            name,
-            values: Vec::new(),
-        };
-        self.slopes.iter().map(empty).collect()
-    }
-}
-
 /// `1 line`, `3 lines`.
 fn counted(count: usize, word: &str) -> String {
     match count {
         1 => format!("1 {word}"),
         more => format!("{more} {word}s"),
-    }
-}
-
-/// A cell as a number; a comma in it is a decimal comma, since it separates no columns.
-fn number(place: &Place, column: &str, cell: &str) -> Result<f64, InputError> {
-    let wrong = |help: &str| {
-        let what = format!("`{}` in the column {column} is no number", quoted(cell));
-        InputError::new(place.clone(), what, help)
-    };
-    // Signs that typesetting programs write, and a unit that the heading says.
-    let cell = cell.replace(['−', '–'], "-");
-    let cell = cell.trim_end_matches('°').trim();
-    let has_comma = cell.contains(',');
-    if has_comma && (cell.contains('.') || cell.matches(',').count() > 1) {
-        return Err(wrong(
-            "it may have a decimal point or a decimal comma, and nothing between thousands",
-        ));
-    }
-    let text = if has_comma {
-        cell.replace(',', ".")
-    } else {
-        cell.to_string()
-    };
-    match text.parse::<f64>() {
-        Ok(number) if number.abs() <= LARGEST => Ok(number),
-        Ok(number) if number.is_finite() => {
-            let cell = quoted(cell);
-            let what = format!("{cell} in the column {column} is too large to be computed with");
-            let help = "coefficients are dimensionless, angles in degrees";
-            Err(InputError::new(place.clone(), what, help))
-        }
-        Ok(_) => Err(wrong("give a finite number, or leave the row out")),
-        Err(_) if cell.is_empty() => Err(wrong(
-            "the cell is empty: give a number, or leave the row out",
-        )),
-        Err(_) => Err(wrong(
-            "give a number such as -0.25 or 2.5e-1, without a unit",
-        )),
     }
 }

@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 
 use serde::Deserialize;
 
+use super::coefficient_table::column::Column;
 use super::coefficient_table::{CoefficientTable, FEWEST_ROWS, Row};
 use super::forces::Coefficients;
 use super::input::{InputError, Place};
@@ -81,6 +82,8 @@ struct Piece {
     angles: Vec<f64>,
     /// C_D, C_L, C_M.
     curves: [Curve; 3],
+    /// Their derivatives per radian, where the table gives them.
+    slopes: Option<[Curve; 3]>,
     /// Their errors at the angles.
     errors: [Vec<f64>; 3],
     ends: Ends,
@@ -99,6 +102,8 @@ enum Curve {
 
 impl CoefficientCurves {
     /// Curves through a table: linear in its length, but for sorting the widths of its cells.
+    ///
+    /// Where derivatives are those of the table's columns, they are curves of their own.
     ///
     /// Nothing is drawn across a [hole](CoefficientTable::holes): the rows between two of them make a curve of
     /// their own if there are at least four. What is smoothed takes the third power of its length.
@@ -143,7 +148,7 @@ impl CoefficientCurves {
         let is_long = |piece: &&[Row]| piece.len() >= FEWEST_ROWS;
         let pieces = pieces.into_iter().filter(is_long);
         let pieces = pieces.map(|piece| {
-            Piece::new(piece, interpolation, ends).ok_or_else(|| {
+            Piece::new(piece, interpolation, ends, table.has_slopes()).ok_or_else(|| {
                 let what = format!("{} rows are not smoothed", piece.len());
                 let help = format!(
                     "`interpolation = \"cubic\"` goes through all of them; at most {MOST_POINTS} are smoothed"
@@ -281,7 +286,8 @@ impl CoefficientCurves {
 
     /// How many of these angles are corners of straight lines, where the slope jumps.
     pub fn corners(&self, angles: &[f64]) -> usize {
-        let is_linear = |piece: &Piece| matches!(piece.curves[0], Curve::Lines(_));
+        let is_linear =
+            |piece: &Piece| piece.slopes.is_none() && matches!(piece.curves[0], Curve::Lines(_));
         if !self.pieces.iter().all(is_linear) {
             return 0;
         }
@@ -310,25 +316,36 @@ fn coefficients([drag, lift, moment]: [(f64, f64); 3]) -> Coefficients {
 
 impl Piece {
     /// Curves through, or near, at least four rows; `None` where they cannot be smoothed.
-    fn new(rows: &[Row], interpolation: Interpolation, ends: Ends) -> Option<Self> {
+    fn new(
+        rows: &[Row],
+        interpolation: Interpolation,
+        ends: Ends,
+        has_slopes: bool,
+    ) -> Option<Self> {
         let angles: Vec<f64> = rows.iter().map(|row| row.angle).collect();
         let smoother = match interpolation {
             Interpolation::Smooth => Some(Smoother::new(&angles, ends)?),
             _ => None,
         };
-        let columns: [fn(&Row) -> f64; 3] = [|row| row.drag, |row| row.lift, |row| row.moment];
         let mut smoothness = [0.0; 3];
-        let values = [0, 1, 2].map(|place: usize| {
-            let values: Vec<f64> = rows.iter().map(columns[place]).collect();
-            let Some(smoother) = &smoother else {
-                return values;
-            };
-            let found = smoother.smoothed(&values);
-            smoothness[place] = found.smoothness;
-            found.values
-        });
+        let smoothed = |column: &Column| {
+            let values: Vec<f64> = rows.iter().map(|row| column.of(row)).collect();
+            match &smoother {
+                None => (values, 0.0),
+                Some(own) => {
+                    let found = own.smoothed(&values);
+                    (found.values, found.smoothness)
+                }
+            }
+        };
+        let found = Column::COEFFICIENTS.each_ref().map(smoothed);
+        let slopes = has_slopes.then(|| Column::SLOPES.each_ref().map(|own| smoothed(own).0));
+        for (own, (_, found)) in smoothness.iter_mut().zip(&found) {
+            *own = *found;
+        }
         let mut piece = Piece {
             errors: errors(rows, ends, interpolation),
+            slopes: None,
             angles,
             curves: [const { Curve::Lines(Vec::new()) }; 3],
             ends,
@@ -336,7 +353,8 @@ impl Piece {
             smoother: smoother.map(|own| (own, smoothness)),
             influences: OnceLock::new(),
         };
-        piece.curves = values.map(|own| piece.through(own));
+        piece.curves = found.map(|(values, _)| piece.through(values));
+        piece.slopes = slopes.map(|own| own.map(|values| piece.through(values)));
         Some(piece)
     }
 
@@ -400,7 +418,10 @@ impl Piece {
 
     /// A curve and its slope per degree.
     fn at(&self, curve: usize, place: f64) -> (f64, f64) {
-        self.at_curve(&self.curves[curve], place)
+        let (value, slope) = self.at_curve(&self.curves[curve], place);
+        let given = self.slopes.as_ref().map(|own| &own[curve]);
+        let given = given.map(|own| self.at_curve(own, place).0.to_radians());
+        (value, given.unwrap_or(slope))
     }
 
     fn at_curve(&self, curve: &Curve, place: f64) -> (f64, f64) {

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use super::{folder, run};
+use super::{folder, run, warnings};
 
 fn path(path: &Path) -> &str {
     path.to_str().expect("a path")
@@ -238,7 +238,59 @@ fn what_is_odd_about_a_table_is_said_by_every_command() {
     let (_, out, err) = run(&["stability", path(&own)]);
     let out = out.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
-        err.is_empty() && out.contains("both are read as -180°"),
+        warnings(&err).is_empty() && out.contains("both are read as -180°"),
         "{out} {err}"
     );
+}
+
+#[test]
+fn every_command_says_what_it_reads_of_a_table() {
+    let own = folder("said");
+    let case = own.join("detuned.toml");
+    let text = std::fs::read_to_string(&case).expect("a case");
+    let text = text.replace("from = 0, to = 180", "from = -30, to = -30");
+    let table = std::fs::read_to_string(own.join("formulas.csv")).expect("a table");
+    let is_half = |line: &&str| {
+        let angle = line
+            .split(',')
+            .next()
+            .and_then(|own| own.parse::<f64>().ok());
+        angle.is_none_or(|own| own <= 180.0)
+    };
+    let half: Vec<&str> = table.lines().filter(is_half).collect();
+    let half = half.join("\n").replace("alpha_deg,CL", "Winkel,ca");
+    std::fs::write(own.join("half.csv"), half).expect("a table");
+    let columns = "columns = { alpha_deg = \"Winkel\", CL = \"ca\" }\nmirror = true";
+    let mirrored = text.replace("formulas.csv\"", &format!("half.csv\"\n{columns}"));
+    let mirrored = mirrored.replace("formulas", "half");
+    let (half, whole) = (own.join("half.toml"), own.join("whole.toml"));
+    std::fs::write(&half, mirrored).expect("a case");
+    std::fs::write(&whole, text).expect("a case");
+    let [half, whole] = [&half, &whole].map(|path| path.to_str().expect("a path"));
+    let [sweep, figures, report] = ["sweep.csv", "figures", "page.html"]
+        .map(|name| own.join(name).to_string_lossy().into_owned());
+    let commands: [&[&str]; 7] = [
+        &["stability", half],
+        &["speeds", half],
+        &["validity", half],
+        &["modes", half],
+        &["figures", half, "--out", &figures],
+        &["report", "--case", half, "--out", &report],
+        &["sweep", half, "--vary", "U=2:4:2", "--out", &sweep],
+    ];
+    for command in commands {
+        let (status, _, err) = run(command);
+        assert_eq!((status, warnings(&err)), (Some(0), String::new()));
+        assert_eq!(err.lines().count(), 2, "{err}");
+        for part in [
+            "half.csv: 91 rows from 0° to 180°, continued by symmetry about 0°, once round the circle; period 360°",
+            "; cubic splines between them\n",
+            "Columns alpha_deg = `Winkel`, CL = `ca`, CD, CM; derivatives of the curves\n",
+        ] {
+            assert!(err.contains(part), "{command:?} {err}");
+        }
+    }
+    // The half says what the whole table says.
+    let rows = |case: &str| run(&["speeds", case, "--format", "csv"]).1;
+    assert_eq!(rows(half), rows(whole));
 }

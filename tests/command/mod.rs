@@ -63,6 +63,13 @@ fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
     )
 }
 
+/// What is said on standard error beside what is read of a table.
+fn warnings(err: &str) -> String {
+    let is_echo = |line: &&str| line.starts_with("Table ") || line.starts_with("Columns ");
+    let others = err.lines().filter(|line| !is_echo(line));
+    others.map(|line| format!("{line}\n")).collect()
+}
+
 /// What a figure says; it is well formed and has more than axes.
 #[cfg(feature = "stability")]
 fn texts(path: &str) -> Vec<String> {

@@ -4,6 +4,8 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
+use super::warnings;
+
 /// A folder of this test's own, which is empty.
 fn folder(name: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
@@ -26,7 +28,7 @@ fn runs(folder: &PathBuf, arguments: &str) -> String {
     let output = sextic(folder, arguments);
     let errors = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(0), "{arguments}: {errors}");
-    assert_eq!(errors, "", "{arguments}");
+    assert_eq!(warnings(&errors), "", "{arguments}");
     String::from_utf8(output.stdout).expect("UTF-8")
 }
 

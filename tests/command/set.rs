@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::{folder, run};
+use super::{folder, run, warnings};
 
 /// The path of a case in a folder of this test's own.
 fn case(name: &str) -> String {
@@ -14,7 +14,11 @@ fn case(name: &str) -> String {
 
 fn read(arguments: &[&str]) -> Value {
     let (status, out, errors) = run(&[arguments, &["--format", "json"]].concat());
-    assert_eq!((status, errors.as_str()), (Some(0), ""), "{arguments:?}");
+    assert_eq!(
+        (status, warnings(&errors)),
+        (Some(0), String::new()),
+        "{arguments:?}"
+    );
     serde_json::from_str(&out).expect("JSON")
 }
 

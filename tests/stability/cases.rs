@@ -5,8 +5,10 @@ use std::path::{Path, PathBuf};
 
 use sextic::stability::case::Case;
 use sextic::stability::coefficient_table::CoefficientTable;
+use sextic::stability::coefficient_table::reading::Reading;
 use sextic::stability::coefficient_table::remarks::remarks;
 use sextic::stability::comparison::compare;
+use sextic::stability::interpolation::{CoefficientCurves, Interpolation};
 
 /// The folder of the cases that come with the project.
 pub fn shipped() -> PathBuf {
@@ -91,6 +93,42 @@ fn every_table_is_read_or_explained() {
     });
 }
 
+/// What is read of a table, with its remarks, as a case says it in [section].
+fn said(lines: &str, name: &str) -> String {
+    let text = read(&shipped().join("detuned.toml"));
+    let text = text.replace("interpolation =", &format!("{lines}\ninterpolation ="));
+    let case = Case::read("case.toml", &text).expect("a case");
+    let table = read(
+        &Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("tests/data/tables")
+            .join(name),
+    );
+    match case.read_table(name, &table) {
+        Err(error) => error.to_string(),
+        Ok(table) => {
+            let mut said = format!("{}; {}", table.reading(), table.columns().join(", "));
+            for remark in remarks(&table) {
+                write!(said, "\n    {remark}").expect("a string");
+            }
+            said
+        }
+    }
+}
+
+#[test]
+fn a_table_is_read_as_the_case_says() {
+    let readings = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/cases/readings.txt");
+    let readings = read(&readings);
+    let readings = readings.lines().filter(|line| !line.starts_with('#'));
+    let mut all = String::new();
+    for reading in readings.filter(|line| !line.is_empty()) {
+        let (name, lines) = reading.split_once(": ").expect("a table");
+        let said = said(&lines.replace("\\n", "\n"), name);
+        writeln!(all, "{reading}\n    {said}").expect("a string");
+    }
+    snapshots("cases", || insta::assert_snapshot!("readings", all));
+}
+
 #[test]
 fn all_spellings_of_a_table_are_one_table() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/tables");
@@ -135,8 +173,34 @@ fn the_table_that_is_shipped_is_that_of_its_formulas() {
 
 proptest::proptest! {
     #[test]
+    fn no_numbers_make_the_readers_panic(
+        numbers in proptest::collection::vec(proptest::array::uniform4(-4..4_i32), 4..14),
+        step in proptest::sample::select(vec![1e-12, 0.5, 30.0, 60.0, 90.0]),
+    ) {
+        let rows = numbers.iter().map(|[angle, lift, drag, moment]| {
+            format!("{},{lift},{drag},{moment}e9\n", f64::from(*angle) * step)
+        });
+        let text = format!("alpha_deg,CL,CD,CM\n{}", rows.collect::<String>());
+        for mirror in [false, true] {
+            let reading = Reading { mirror, ..Reading::default() };
+            if let Ok(table) = CoefficientTable::read_as("any.csv", &text, &reading) {
+                remarks(&table);
+                let curves = CoefficientCurves::new(&table, Interpolation::Cubic).expect("curves");
+                let _ = curves.at(12.0);
+            }
+        }
+    }
+
+    #[test]
     fn no_text_makes_the_readers_panic(text in "(alpha_deg|AoA|CL|CD|CM|rad|sep=|//|[0-9.,;\t\n\"#!% −°-]){0,80}") {
-        let _ = CoefficientTable::read("any.csv", &text).map(|table| remarks(&table));
+        for [mirror, slopes] in [[false, false], [true, false], [true, true]] {
+            let columns = [("CL".to_string(), "CD".to_string())];
+            for columns in [[].into(), columns.into()] {
+                let reading = Reading { columns, mirror, slopes };
+                let table = CoefficientTable::read_as("any.csv", &text, &reading);
+                let _ = table.map(|table| remarks(&table));
+            }
+        }
         let _ = Case::read("any.toml", &text);
     }
 }
@@ -152,7 +216,9 @@ fn mistaken_units_are_named() {
     assert!(
         remarks("zeta_x = 0.008", "zeta_x = 0.8").contains("zeta_x = 0.8 is a damping of 80 %")
     );
-    assert!(remarks("D = 0.05", "D = 50").contains("r = 0.0178 m beside D = 50 m"));
+    let millimetres = remarks("D = 0.05", "D = 50");
+    assert!(millimetres.contains("r = 0.0178 m beside D = 50 m"));
+    assert!(millimetres.contains("m = 3.5 kg/m beside D = 50 m weighs less than the air"));
 
     // A table in radians ends before the sweep does: that is not what is wrong with it.
     let (case, _) = shipped_case("detuned.toml", &[]);

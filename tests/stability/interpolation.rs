@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 use sextic::stability::coefficient_table::CoefficientTable;
+use sextic::stability::coefficient_table::reading::Reading;
 use sextic::stability::interpolation::{CoefficientCurves, Interpolation};
 use sextic::stability::spline::{CubicSpline, Ends};
 
@@ -303,4 +304,106 @@ fn more_rows_than_can_be_smoothed_are_refused() {
         error.to_string(),
         "scattered.csv: 1100 rows are not smoothed: `interpolation = \"cubic\"` goes through all of them; at most 1000 are smoothed"
     );
+}
+
+/// A table of rows of angle, lift, drag and moment, continued by symmetry or not.
+fn table_of(rows: &[[f64; 4]], mirror: bool) -> CoefficientTable {
+    let rows = rows
+        .iter()
+        .map(|[angle, lift, drag, moment]| format!("{angle},{lift},{drag},{moment}\n"));
+    let text = "alpha_deg,CL,CD,CM\n".to_string() + &rows.collect::<String>();
+    let reading = Reading {
+        mirror,
+        ..Reading::default()
+    };
+    CoefficientTable::read_as("rows.csv", &text, &reading).expect("a table")
+}
+
+proptest! {
+    #[test]
+    fn a_mirrored_half_has_the_curves_of_the_whole_table(
+        heights in prop::collection::vec(prop::array::uniform3(-2.0..2.0_f64), 19),
+        begins_at in prop::sample::select(vec![-180.0, 0.0, 180.0]),
+        interpolation in prop::sample::select(vec![
+            Interpolation::Linear,
+            Interpolation::Cubic,
+            Interpolation::Smooth,
+        ]),
+        angles in prop::collection::vec(-400.0..400.0_f64, 10),
+    ) {
+        let last = heights.len() - 1;
+        let half: Vec<[f64; 4]> = (0..=last)
+            .map(|place| {
+                let [drag, lift, moment] = heights[place];
+                let odd = if place == 0 || place == last { 0.0 } else { 1.0 };
+                [begins_at + 10.0 * place as f64, odd * lift, drag, odd * moment]
+            })
+            .collect();
+        // The whole circle from where the half begins, whatever its axis.
+        let images = half[..last].iter().rev().map(|[angle, lift, drag, moment]| {
+            [2.0 * begins_at + 360.0 - angle, -lift, *drag, -moment]
+        });
+        let whole = table_of(&half.iter().copied().chain(images).collect::<Vec<_>>(), false);
+        let mirrored = table_of(&half, true);
+        prop_assert!(mirrored.is_closed());
+        let [whole, mirrored] = [whole, mirrored]
+            .map(|table| CoefficientCurves::new(&table, interpolation).expect("curves"));
+        for angle in angles {
+            let [one, other] = [&whole, &mirrored].map(|own| own.at(angle).expect("on the circle"));
+            for (own, other) in [
+                (one.drag, other.drag),
+                (one.lift, other.lift),
+                (one.moment, other.moment),
+                (one.drag_slope, other.drag_slope),
+                (one.lift_slope, other.lift_slope),
+                (one.moment_slope, other.moment_slope),
+            ] {
+                prop_assert!((own - other).abs() < 1e-6, "{own}, {other} at {angle}");
+            }
+        }
+    }
+}
+
+#[test]
+fn derivatives_are_those_of_the_columns_if_the_case_says_so() {
+    let mut text = "alpha_deg,CL,CD,CM,dCL,dCD [1/deg],dCM\n".to_string();
+    for angle in (0..=180).step_by(10) {
+        let (sin, cos) = f64::from(angle).to_radians().sin_cos();
+        // They are told from those of the curves.
+        let per_degree = 1_f64.to_radians() * 3.0;
+        text += &format!("{angle},{sin},{cos},{sin},{cos},{per_degree},{}\n", -cos);
+    }
+    for mirror in [false, true] {
+        let reading = Reading {
+            mirror,
+            slopes: true,
+            ..Reading::default()
+        };
+        let table = CoefficientTable::read_as("slopes.csv", &text, &reading).expect("a table");
+        for interpolation in [Interpolation::Linear, Interpolation::Cubic] {
+            let curves = CoefficientCurves::new(&table, interpolation).expect("curves");
+            assert_eq!(curves.corners(&[10.0, 20.0]), 0);
+            for angle in [10.0, 40.0, 45.0, 170.0_f64] {
+                let at = curves.at(angle).expect("in the table");
+                let (sin, cos) = angle.to_radians().sin_cos();
+                let near = if angle == 45.0 { 5e-3 } else { 1e-12 };
+                for (own, exact) in [
+                    (at.lift, sin),
+                    (at.lift_slope, cos),
+                    (at.drag_slope, 3.0),
+                    (at.moment_slope, -cos),
+                ] {
+                    assert!((own - exact).abs() < near, "{own}, {exact} at {angle}");
+                }
+            }
+        }
+        assert_eq!(
+            CoefficientCurves::new(&table, Interpolation::Cubic)
+                .expect("curves")
+                .at(-40.0)
+                .map(|own| (own.drag_slope * 1e9).round() / 1e9)
+                .ok(),
+            mirror.then_some(-3.0)
+        );
+    }
 }

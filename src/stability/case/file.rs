@@ -7,6 +7,7 @@ use toml::de::{DeTable, DeValue, Error, ValueDeserializer};
 
 use super::keys::Lines;
 use super::turn::Turn;
+use crate::stability::coefficient_table::reading::Reading;
 use crate::stability::coordinate::{Coordinate, FreeCoordinates};
 use crate::stability::input::{InputError, quoted};
 use crate::stability::interpolation::Interpolation;
@@ -19,6 +20,7 @@ pub(super) struct File {
     /// The quantities, by their keys.
     numbers: BTreeMap<String, f64>,
     pub(super) coefficients: Option<String>,
+    pub(super) reading: Reading,
     pub(super) interpolation: Option<Interpolation>,
     free: Option<Vec<String>>,
     aerodynamic_stiffness: bool,
@@ -64,6 +66,9 @@ impl File {
     fn take(&mut self, key: &str, value: ValueDeserializer<'_>) -> Result<(), Error> {
         match key {
             "coefficients" => self.coefficients = Deserialize::deserialize(value)?,
+            "columns" => self.reading.columns = Deserialize::deserialize(value)?,
+            "mirror" => self.reading.mirror = Deserialize::deserialize(value)?,
+            "slopes" => self.reading.slopes = Deserialize::deserialize(value)?,
             "interpolation" => self.interpolation = Deserialize::deserialize(value)?,
             "errors" => self.errors = Deserialize::deserialize(value)?,
             "free" => self.free = Deserialize::deserialize(value)?,

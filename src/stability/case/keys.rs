@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use toml::de::{DeTable, DeValue};
 
+use crate::stability::coefficient_table::KEYS;
 use crate::stability::coordinate::{Coordinate, FreeCoordinates};
 use crate::stability::input::{InputError, Place, meant, quoted, shortened};
 use crate::stability::quantity::{Key, Owner, Quantity, Source, Unit};
@@ -15,17 +16,24 @@ const TABLES: [&str; 4] = ["section", "structure", "wind", "sweep"];
 pub(super) const SWEEP: &str =
     "write alpha_deg = { from = 0, to = 180, step = 0.5 }, in degrees; one angle has from = to";
 
+/// How columns are named.
+const COLUMNS: &str =
+    "write columns = { alpha_deg = \"its name\", CL = \"its name\" } for those with unusual names";
+
 /// The keys of `alpha_deg` in `[sweep]`.
 const STEPS: [&str; 3] = ["from", "to", "step"];
 
 /// The keys that are no quantities.
-const OTHERS: [Key; 7] = [
+const OTHERS: [Key; 10] = [
     Key::new("section", "coefficients", Some("the file of the table")),
     Key::new(
         "section",
         "interpolation",
         Some("\"cubic\", \"linear\" or, for what was measured, \"smooth\""),
     ),
+    Key::new("section", "columns", None),
+    Key::new("section", "mirror", None),
+    Key::new("section", "slopes", None),
     Key::new("section", "errors", None),
     Key::new("structure", "free", None),
     Key::new("wind", "aerodynamic_stiffness", None),
@@ -183,6 +191,13 @@ fn check_table(
             return Err(InputError::new(Place::line(file, line), what, help));
         }
         lines.0.insert((table.into(), name.into()), line);
+        if (table, name) == ("section", "columns") {
+            let DeValue::Table(columns) = value.get_ref() else {
+                let what = "the columns of the table are not given by what they mean";
+                return Err(InputError::new(Place::line(file, line), what, COLUMNS));
+            };
+            check_table(file, text, "section.columns", columns, &KEYS, lines)?;
+        }
         if (table, name) == ("sweep", "alpha_deg") {
             let DeValue::Table(steps) = value.get_ref() else {
                 // A list would be read as from, to and step, whatever it means.

@@ -1,9 +1,7 @@
 //! The cells between the angles of a table: whether they close round the circle, and which mean nothing.
 
-use super::{CoefficientTable, WHOLE};
-
-/// The ends of a table are one angle if they are apart by less than this share of both steps beside them.
-pub(super) const ONE_ANGLE: f64 = 0.01;
+use super::CoefficientTable;
+use super::angle::{ONE_ANGLE, WHOLE};
 
 /// A cell is a hole if it is wider than so many times both of its neighbours, or than a quarter of the circle.
 const HOLE: f64 = 8.0;
@@ -30,8 +28,14 @@ impl CoefficientTable {
 
     /// How the table is read, in words: `91 rows from 0° to 90°, closed round the circle`.
     pub fn reading(&self) -> String {
-        let (rows, holes) = (self.rows.len(), self.holes().len());
-        let [from, to] = self.ends().map(|(_, angle)| angle);
+        let holes = self.holes().len();
+        let own = match &self.mirror {
+            Some(mirror) => mirror.to_string(),
+            None => {
+                let [from, to] = self.ends();
+                format!("{} rows from {from}° to {to}°", self.rows.len())
+            }
+        };
         let closed = match (self.is_closed(), self.is_circle()) {
             (true, _) => ", once round the circle",
             (false, true) => ", closed round the circle with the first row",
@@ -42,7 +46,7 @@ impl CoefficientTable {
             1 => ", with a hole".to_string(),
             more => format!(", with {more} holes"),
         };
-        format!("{rows} rows from {from}° to {to}°{closed}{holes}")
+        format!("{own}{closed}{holes}")
     }
 
     /// The cells that are holes: an angle within is outside of the table. Cell i lies above row i; of a circle that
@@ -76,9 +80,9 @@ impl CoefficientTable {
         [row(place), row(place + 1)]
     }
 
-    /// The first and the last row: line and angle.
-    pub(super) fn ends(&self) -> [(usize, f64); 2] {
-        [&self.rows[0], &self.rows[self.rows.len() - 1]].map(|row| (row.line, row.angle))
+    /// The first and the last angle.
+    pub fn ends(&self) -> [f64; 2] {
+        [&self.rows[0], &self.rows[self.rows.len() - 1]].map(|row| row.angle)
     }
 
     /// The widths of all cells, in degrees.
@@ -187,7 +191,7 @@ mod tests {
             );
         }
         let joined = table(&[vec![-179.9998], steps(-175.0, 175.0, 5.0), vec![179.9998]].concat());
-        assert_eq!(joined.ends().map(|(_, angle)| angle), [-180.0, 180.0]);
+        assert_eq!(joined.ends(), [-180.0, 180.0]);
         assert_eq!(joined.joined, Some([-179.9998, 179.9998]));
         assert_eq!(
             joined.reading(),

@@ -1,107 +1,8 @@
-//! What the columns of a table mean, by their usual names.
+//! Where the columns of a table stand.
 
-use std::f64::consts::PI;
-
+use super::meaning::{Meaning, Unit, meaning};
+use super::names::Names;
 use crate::stability::input::{InputError, Place, meant_among, quoted};
-
-/// What a column holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Meaning {
-    /// The angle of attack.
-    Angle,
-    Lift,
-    Drag,
-    Moment,
-    /// A derivative by the angle: `dCL`, `dCD` or `dCM`.
-    Slope(&'static str),
-    /// How far a coefficient may be from what is measured: `CL_error`, `CD_error` or `CM_error`.
-    Error(&'static str),
-}
-
-/// The unit of angles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Unit {
-    Degrees,
-    Radians,
-}
-
-impl Unit {
-    /// An angle in degrees: exact where it is in degrees.
-    pub fn degrees(self, angle: f64) -> f64 {
-        match self {
-            Unit::Degrees => angle,
-            Unit::Radians => angle * 180.0 / PI,
-        }
-    }
-
-    /// The unit that a text names.
-    pub fn of(text: &str) -> Option<Self> {
-        match letters(text).as_str() {
-            "deg" | "degree" | "degrees" | "°" => Some(Unit::Degrees),
-            "rad" | "radian" | "radians" => Some(Unit::Radians),
-            _ => None,
-        }
-    }
-}
-
-/// The usual names, without blanks, signs and units.
-const NAMES: [(Meaning, &[&str]); 10] = [
-    (
-        Meaning::Angle,
-        &[
-            "alpha",
-            "α",
-            "alf",
-            "aoa",
-            "angle",
-            "angleofattack",
-            "attackangle",
-            "incidence",
-        ],
-    ),
-    (Meaning::Lift, &["cl", "lift", "clift", "liftcoefficient"]),
-    (Meaning::Drag, &["cd", "drag", "cdrag", "dragcoefficient"]),
-    (
-        Meaning::Moment,
-        &["cm", "moment", "cmoment", "momentcoefficient"],
-    ),
-    (Meaning::Slope("dCL"), &["dcl", "dcldalpha", "dcldα"]),
-    (Meaning::Slope("dCD"), &["dcd", "dcddalpha", "dcddα"]),
-    (Meaning::Slope("dCM"), &["dcm", "dcmdalpha", "dcmdα"]),
-    (
-        Meaning::Error("CL_error"),
-        &[
-            "clerror",
-            "clerr",
-            "errorcl",
-            "errcl",
-            "δcl",
-            "cluncertainty",
-        ],
-    ),
-    (
-        Meaning::Error("CD_error"),
-        &[
-            "cderror",
-            "cderr",
-            "errorcd",
-            "errcd",
-            "δcd",
-            "cduncertainty",
-        ],
-    ),
-    (
-        Meaning::Error("CM_error"),
-        &[
-            "cmerror",
-            "cmerr",
-            "errorcm",
-            "errcm",
-            "δcm",
-            "cmuncertainty",
-        ],
-    ),
-];
 
 /// The columns as they are best written, for messages.
 const COLUMNS: [&str; 10] = [
@@ -125,51 +26,14 @@ const NEEDED: [(Meaning, &str); 4] = [
     (Meaning::Moment, COLUMNS[3]),
 ];
 
+/// The columns of derivatives.
+pub(super) const SLOPES: [&str; 3] = ["dCD", "dCL", "dCM"];
+
+/// The columns of errors.
+pub(super) const ERRORS: [&str; 3] = ["CD_error", "CL_error", "CM_error"];
+
 /// How the first row names the columns.
 const HELP: &str = "the first row names the columns alpha_deg, CL, CD, CM, separated by commas";
-
-/// What a name of a column means, and the unit that it says.
-fn meaning(name: &str) -> Option<(Meaning, Option<Unit>)> {
-    let own = letters(name);
-    let known = |text: &str| {
-        let is_known = |(_, names): &&(Meaning, &[&str])| names.contains(&text);
-        NAMES.iter().find(is_known).map(|(meaning, _)| *meaning)
-    };
-    if let Some(meaning) = known(&own) {
-        return Some((meaning, None));
-    }
-    ["degrees", "degree", "deg", "°", "radians", "radian", "rad"]
-        .iter()
-        .filter_map(|unit| Some((known(own.strip_suffix(unit)?)?, Unit::of(unit))))
-        .find(|(meaning, _)| *meaning == Meaning::Angle)
-}
-
-/// A name in small letters, without blanks and signs.
-fn letters(name: &str) -> String {
-    let is_part = |own: &char| own.is_alphanumeric() || *own == '°';
-    name.to_lowercase().chars().filter(is_part).collect()
-}
-
-/// Whether cells name an angle, a lift and a drag.
-pub(super) fn is_heading(cells: &[String]) -> bool {
-    let is_there = |wanted: Meaning| {
-        cells
-            .iter()
-            .any(|own| meaning(own).is_some_and(|(found, _)| found == wanted))
-    };
-    [Meaning::Angle, Meaning::Lift, Meaning::Drag]
-        .into_iter()
-        .all(is_there)
-}
-
-/// Whether cells are units: words such as deg, or brackets and dashes.
-pub(super) fn are_units(cells: &[String]) -> bool {
-    let is_unit = |cell: &String| {
-        let is_bracketed = cell.starts_with(['(', '[']) && cell.ends_with([')', ']']);
-        is_bracketed || Unit::of(cell).is_some() || letters(cell).is_empty()
-    };
-    cells.iter().all(is_unit) && cells.iter().any(|cell| !cell.is_empty())
-}
 
 /// Where the columns stand.
 #[derive(Clone, Debug)]
@@ -177,7 +41,8 @@ pub(super) struct Columns {
     pub count: usize,
     /// The angle, CL, CD, CM.
     pub places: [usize; 4],
-    pub slopes: Vec<(&'static str, usize)>,
+    /// The derivatives of CD, CL and CM, as far as they are given, and what is said of their units.
+    pub slopes: [Option<(usize, Option<Unit>)>; 3],
     /// The errors of CD, CL and CM, as far as they are given.
     pub errors: [Option<usize>; 3],
     /// What is said of the unit of the angle.
@@ -192,8 +57,9 @@ impl Columns {
     /// # Errors
     ///
     /// What is missing, or there twice.
-    pub fn read(place: &Place, heading: &[String]) -> Result<Self, InputError> {
-        let meanings: Vec<_> = heading.iter().map(|name| meaning(name)).collect();
+    pub fn read(place: &Place, heading: &[String], names: &Names) -> Result<Self, InputError> {
+        names.check(place, heading)?;
+        let meanings: Vec<_> = heading.iter().map(|name| names.meaning(name)).collect();
         let find = |wanted: Meaning| -> Result<Option<usize>, InputError> {
             let is_wanted =
                 |&own: &usize| meanings[own].is_some_and(|(meaning, _)| meaning == wanted);
@@ -205,14 +71,15 @@ impl Columns {
         };
         let mut places = [0; 4];
         for (own, (wanted, name)) in places.iter_mut().zip(NEEDED) {
-            *own = find(wanted)?.ok_or_else(|| missing(place, heading, name))?;
+            *own = find(wanted)?.ok_or_else(|| missing(place, heading, name, names))?;
         }
-        let mut slopes = Vec::new();
-        for name in &COLUMNS[4..7] {
-            slopes.extend(find(Meaning::Slope(name))?.map(|own| (*name, own)));
+        let unit = |place: usize| meanings[place].and_then(|(_, unit)| unit);
+        let mut slopes = [None; 3];
+        for (own, name) in slopes.iter_mut().zip(SLOPES) {
+            *own = find(Meaning::Slope(name))?.map(|place| (place, unit(place)));
         }
         let mut errors = [None; 3];
-        for (own, name) in errors.iter_mut().zip(&COLUMNS[7..]) {
+        for (own, name) in errors.iter_mut().zip(ERRORS) {
             *own = find(Meaning::Error(name))?;
         }
         let is_other = |own: &usize| meanings[*own].is_none() && !heading[*own].is_empty();
@@ -222,9 +89,66 @@ impl Columns {
             places,
             slopes,
             errors,
-            unit: meanings[places[0]].and_then(|(_, unit)| unit),
+            unit: unit(places[0]),
             others: others.map(|own| heading[own].clone()).collect(),
         })
+    }
+
+    /// Takes units from the row below the heading, where this says none.
+    ///
+    /// # Errors
+    ///
+    /// If both say a unit of the angle, and not the same.
+    pub fn read_units(&mut self, place: &Place, units: &[String]) -> Result<(), InputError> {
+        let named = units.get(self.places[0]).and_then(|own| Unit::of(own));
+        if let (Some(one), Some(other)) = (self.unit, named)
+            && one != other
+        {
+            let what = "the heading says another unit of the angle than the row of units below";
+            return Err(InputError::new(place.clone(), what, "correct one of them"));
+        }
+        self.unit = self.unit.or(named);
+        for (column, unit) in self.slopes.iter_mut().flatten() {
+            *unit = unit.or_else(|| Unit::per(units.get(*column)?));
+        }
+        Ok(())
+    }
+
+    /// The columns that are used, with the names that they have.
+    pub fn used(&self, heading: &[String], unit: Unit, slopes: bool) -> Vec<String> {
+        let angle = match unit {
+            Unit::Degrees => "alpha_deg",
+            Unit::Radians => "alpha_rad",
+        };
+        let needed = [angle, COLUMNS[1], COLUMNS[2], COLUMNS[3]].into_iter();
+        let needed = needed.zip(self.places);
+        let slopes = SLOPES.iter().zip(self.slopes).filter(|_| slopes);
+        let slopes = slopes.filter_map(|(name, own)| Some((*name, own?.0)));
+        let errors = ERRORS.iter().zip(self.errors);
+        let errors = errors.filter_map(|(name, own)| Some((*name, own?)));
+        let shown = |(name, place): (&str, usize)| match &heading[place] {
+            own if own == name => name.to_string(),
+            own => format!("{name} = `{}`", quoted(own)),
+        };
+        needed.chain(slopes).chain(errors).map(shown).collect()
+    }
+
+    /// Refuses a table without some of the columns of derivatives.
+    pub fn check_slopes(&self, place: &Place) -> Result<(), InputError> {
+        let names = SLOPES.iter().zip(self.slopes);
+        let missing = names.filter_map(|(name, own)| own.is_none().then_some(*name));
+        let missing: Vec<&str> = missing.collect();
+        if missing.is_empty() {
+            return Ok(());
+        }
+        Err(InputError::new(
+            place.clone(),
+            format!(
+                "the case has `slopes = true`, and the table no column {}",
+                missing.join(", ")
+            ),
+            "derivatives are taken from dCL, dCD and dCM if all are there; else leave `slopes` out",
+        ))
     }
 }
 
@@ -238,60 +162,29 @@ fn twice(place: &Place, heading: &[String], first: usize, second: usize) -> Inpu
 }
 
 /// A column that is not there, with one that may be meant.
-fn missing(place: &Place, heading: &[String], name: &str) -> InputError {
+fn missing(place: &Place, heading: &[String], name: &str, names: &Names) -> InputError {
     if let Some(number) = heading.iter().find(|own| own.parse::<f64>().is_ok()) {
         let number = quoted(number);
         let what = format!("the first row begins its columns with a number, {number}");
         let help = "name the columns: alpha_deg,CL,CD,CM";
         return InputError::new(place.clone(), what, help);
     }
-    let unknown = |own: &&String| meaning(own).is_none() && !own.is_empty();
-    let near = heading.iter().filter(unknown).find_map(|own| {
+    let unknown = |own: &&String| names.meaning(own).is_none() && !own.is_empty();
+    let unusual = heading
+        .iter()
+        .filter(|own| unknown(own) && meaning(own).is_none());
+    let near = unusual.into_iter().find_map(|own| {
         let help = meant_among(&[name], own, &COLUMNS);
         help.starts_with("did you mean").then_some((own, help))
     });
-    let (what, help) = match near {
+    let (what, mut help) = match near {
         Some((own, help)) => (format!("there is no column `{}`", quoted(own)), help),
         None => (format!("the column {name} is missing"), HELP.to_string()),
     };
+    if heading.iter().any(|own| unknown(&own)) {
+        help += &format!(
+            "; if a column has another name, say so in [section] of the case: columns = {{ {name} = \"its name\" }}"
+        );
+    }
     InputError::new(place.clone(), what, help)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn usual_names_are_understood() {
-        use Unit::{Degrees, Radians};
-        for (name, expected) in [
-            ("alpha_deg", (Meaning::Angle, Some(Degrees))),
-            ("AoA", (Meaning::Angle, None)),
-            ("alpha [deg]", (Meaning::Angle, Some(Degrees))),
-            ("α (°)", (Meaning::Angle, Some(Degrees))),
-            ("Angle of attack / rad", (Meaning::Angle, Some(Radians))),
-            ("alpha_rad", (Meaning::Angle, Some(Radians))),
-            ("Cl", (Meaning::Lift, None)),
-            ("C_L [-]", (Meaning::Lift, None)),
-            ("Drag coefficient", (Meaning::Drag, None)),
-            ("cm", (Meaning::Moment, None)),
-            ("dCL/dalpha", (Meaning::Slope("dCL"), None)),
-        ] {
-            assert_eq!(meaning(name), Some(expected), "{name}");
-        }
-        for name in ["", "Re", "C_N", "CLrad", "degrees", "Cpmin"] {
-            assert_eq!(meaning(name), None, "{name}");
-        }
-    }
-
-    #[test]
-    fn units_are_told_from_numbers_and_names() {
-        let cells = |text: &str| text.split(',').map(String::from).collect::<Vec<_>>();
-        assert!(are_units(&cells("(deg),(-),(-),(-)")));
-        assert!(are_units(&cells("°,-,-,-")));
-        assert!(are_units(&cells("deg,,,")));
-        for other in ["1,2,3", "deg,1,-,-", "a,b,c", ",,"] {
-            assert!(!are_units(&cells(other)), "{other}");
-        }
-    }
 }

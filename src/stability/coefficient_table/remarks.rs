@@ -1,6 +1,8 @@
 //! What is odd about a coefficient table: looked for before it is used.
 
-use super::cells::ONE_ANGLE;
+use super::angle::ONE_ANGLE;
+use super::column::Column;
+use super::oddity::{Oddity, oddities};
 use super::{CoefficientTable, Row};
 use crate::stability::input::{Place, Remark};
 
@@ -10,17 +12,12 @@ const LONGEST_GOOD_STEP: f64 = 3.0;
 /// A coefficient below this share of what it varies by counts as 0.
 const NOTHING: f64 = 1e-3;
 
-/// The name of a coefficient, and how it is found in a row.
-type Column = (&'static str, fn(&Row) -> f64);
-
-const LIFT: Column = ("CL", |row| row.lift);
-const DRAG: Column = ("CD", |row| row.drag);
-const MOMENT: Column = ("CM", |row| row.moment);
-
 /// What is odd about a table, in the order in which one should look at it.
 ///
-/// What was not used, sorted or left out as the table was read comes first. Looked for are ends that are read as one angle, holes and cells that are hardly there, angles that seem to be in radians, derivatives that seem to be per degree, steps too
-/// coarse for derivatives, and jumps at 0°, 180° and 360° of a curve that is its own mirror image.
+/// What was not used, sorted or left out as the table was read comes first. Looked for
+/// are angles that seem to be in radians, ends that are read as one angle, holes and cells that are hardly there, drag
+/// below 0, numbers that do not fit those beside, derivatives that seem to be per degree, steps too coarse for
+/// derivatives, and jumps at 0°, 180° and 360° of a curve that is its own mirror image.
 /// n log n in the number of rows.
 pub fn remarks(table: &CoefficientTable) -> Vec<Remark> {
     let mut remarks = table.notes.clone();
@@ -28,8 +25,12 @@ pub fn remarks(table: &CoefficientTable) -> Vec<Remark> {
     remarks.extend(joined_ends(table));
     remarks.extend(holes(table));
     remarks.extend(narrow_cells(table));
+    remarks.extend(drag_below_0(table));
+    remarks.extend(odd_numbers(table));
     remarks.extend(given_slopes(table));
-    remarks.extend(coarse_steps(table));
+    if !table.has_slopes() {
+        remarks.extend(coarse_steps(table));
+    }
     remarks.extend(jumps(table));
     remarks
 }
@@ -52,50 +53,141 @@ pub fn radians(table: &CoefficientTable) -> Option<Remark> {
     })
 }
 
-/// Columns of derivatives against the slopes of the table, by least squares.
+/// Columns of derivatives against the slopes of the table: those that are not used, or do not fit.
 fn given_slopes(table: &CoefficientTable) -> Vec<Remark> {
     let rows = table.rows();
-    let remark = |slopes: &super::GivenSlopes| {
-        let (name, column) = match slopes.name {
-            "dCL" => LIFT,
-            "dCD" => DRAG,
-            _ => MOMENT,
-        };
-        let (mut product, mut square) = (0.0, 0.0);
-        for i in 1..rows.len() - 1 {
-            let (left, right) = (rows[i - 1], rows[i + 1]);
-            let rise = column(&right) - column(&left);
-            let own = rise / (right.angle - left.angle).to_radians();
-            product += own * slopes.values[i];
-            square += own * own;
-        }
-        let ratio = product / square;
-        let per_degree = 1_f64.to_radians();
-        let seen = if (ratio / per_degree - 1.0).abs() < 0.25 {
-            format!(
-                " and looks like the derivative per degree: it is {ratio:.4} of that of {name} per radian"
-            )
-        } else if (ratio - 1.0).abs() > 0.25 {
-            format!(" and does not fit: it is {ratio:.4} of the derivative of {name} per radian")
-        } else {
-            String::new()
-        };
-        Remark {
-            place: Place::file(table.file()),
-            what: format!(
-                "the column {} is not used{seen}; derivatives are those of the interpolation, per radian",
-                slopes.name
+    let columns = Column::COEFFICIENTS.iter().zip(&Column::SLOPES);
+    let given = columns
+        .enumerate()
+        .filter(|(place, _)| rows[0].slopes[*place].is_some());
+    let remark = |(_, (column, slopes)): (usize, (&Column, &Column))| {
+        let seen = misfit(column.name, ratio(rows, column, slopes));
+        let what = match (table.has_slopes(), seen) {
+            (true, None) => return None,
+            (true, Some(seen)) => format!("the column {} {seen}", slopes.name),
+            (false, seen) => format!(
+                "the column {} is not used{}; derivatives are those of the interpolation, per radian, unless the case \
+                 has `slopes = true`",
+                slopes.name,
+                seen.map_or(String::new(), |seen| format!(" and {seen}"))
             ),
+        };
+        let place = Place::file(table.file());
+        Some(Remark { place, what })
+    };
+    given.filter_map(remark).collect()
+}
+
+/// How derivatives that a table gives do not fit.
+fn misfit(name: &str, ratio: f64) -> Option<String> {
+    if (ratio / 1_f64.to_radians() - 1.0).abs() < 0.25 {
+        Some(format!(
+            "looks like the derivative per degree: it is {ratio:.4} of that of {name} per radian"
+        ))
+    } else if (ratio - 1.0).abs() > 0.25 {
+        Some(format!(
+            "does not fit: it is {ratio:.4} of the derivative of {name} per radian"
+        ))
+    } else {
+        None
+    }
+}
+
+/// Derivatives that a table gives over the slopes of the table, by least squares.
+fn ratio(rows: &[Row], column: &Column, slopes: &Column) -> f64 {
+    let (mut product, mut square) = (0.0, 0.0);
+    for three in rows.windows(3) {
+        let rise = column.of(&three[2]) - column.of(&three[0]);
+        let own = rise / (three[2].angle - three[0].angle).to_radians();
+        product += own * slopes.of(&three[1]);
+        square += own * own;
+    }
+    product / square
+}
+
+/// A drag that points into the wind, as where columns are swapped.
+fn drag_below_0(table: &CoefficientTable) -> Option<Remark> {
+    let rows = table.rows().iter().filter(|row| table.is_written(row));
+    let rows: Vec<&Row> = rows.collect();
+    let is_below = |row: &&&Row| row.drag < 0.0;
+    let first = rows.iter().find(is_below)?;
+    let reason = match rows.iter().all(|row| row.lift > 0.0) {
+        true => "CL is above 0 everywhere, so the two columns look swapped",
+        false => {
+            "look whether columns are swapped, a sign is turned, or the forces are along the axes of the section"
         }
     };
-    table.given_slopes().iter().map(remark).collect()
+    Some(Remark {
+        place: Place::line(table.file(), first.line),
+        what: format!(
+            "CD is {} at {}°, and below 0 in {} of {} rows; drag is along the wind: {reason}",
+            first.drag,
+            first.angle,
+            rows.iter().filter(is_below).count(),
+            rows.len()
+        ),
+    })
+}
+
+/// Single numbers, and jumps, that do not fit those beside.
+fn odd_numbers(table: &CoefficientTable) -> Vec<Remark> {
+    let rows = table.rows();
+    // At the axes of what mirrors itself jumps are looked for below.
+    let is_mirrored = is_mirrored(table);
+    let is_new = |own: &Oddity| {
+        let ends = &rows[own.row()..own.row() + 2];
+        let is_known = |row| is_mirrored && is_at_an_axis(row);
+        ends.iter()
+            .all(|row| table.is_written(row) && !is_known(row))
+    };
+    let remark = |column: &Column, own: Oddity| {
+        let (row, next) = (&rows[own.row()], &rows[own.row() + 1]);
+        let (line, what) = match own {
+            Oddity::Spike { off, .. } => (row.line, spike(column.name, column.of(row), row, off)),
+            Oddity::Jump { by, .. } => (next.line, jump(column.name, row, next, by)),
+        };
+        let place = Place::line(table.file(), line);
+        Remark { place, what }
+    };
+    let all = table.curves().flat_map(|column| {
+        let odd = oddities(rows, column).into_iter().filter(is_new);
+        odd.map(move |own| remark(column, own))
+    });
+    limited(all.collect())
+}
+
+fn spike(name: &str, value: f64, row: &Row, off: f64) -> String {
+    format!(
+        "{name} is {value} at {}°, about {off:.2} off the curve of the rows beside: correct it if it is a slip, which \
+         bends the curve around it",
+        row.angle
+    )
+}
+
+fn jump(name: &str, row: &Row, next: &Row, by: f64) -> String {
+    format!(
+        "{name} jumps by about {by:.2} from {}° to {}° (lines {} and {}): derivatives between them, and next to them, \
+         mean little",
+        row.angle, next.angle, row.line, next.line
+    )
+}
+
+/// The first five remarks, with how many there are more.
+fn limited(mut remarks: Vec<Remark>) -> Vec<Remark> {
+    let more = remarks.len().saturating_sub(MOST_NAMED);
+    remarks.truncate(MOST_NAMED);
+    if let (Some(last), true) = (remarks.last_mut(), more > 0) {
+        last.what += &format!("; and so in {more} places more");
+    }
+    remarks
 }
 
 /// The slopes of a column in the cells of a table, per radian.
-fn slopes(rows: &[Row], column: fn(&Row) -> f64) -> Vec<f64> {
+fn slopes(rows: &[Row], column: &Column) -> Vec<f64> {
     rows.windows(2)
         .map(|pair| {
-            (column(&pair[1]) - column(&pair[0])) / (pair[1].angle - pair[0].angle).to_radians()
+            (column.of(&pair[1]) - column.of(&pair[0]))
+                / (pair[1].angle - pair[0].angle).to_radians()
         })
         .collect()
 }
@@ -103,7 +195,8 @@ fn slopes(rows: &[Row], column: fn(&Row) -> f64) -> Vec<f64> {
 /// First and last angles that are read as one.
 fn joined_ends(table: &CoefficientTable) -> Option<Remark> {
     let [from, to] = table.joined?;
-    let [(first, angle), (last, _)] = table.ends();
+    let [angle, _] = table.ends();
+    let [first, last] = [table.rows.first()?.line, table.rows.last()?.line];
     Some(Remark {
         place: Place::line(table.file(), last),
         what: format!(
@@ -178,8 +271,8 @@ fn coarse_steps(table: &CoefficientTable) -> Option<Remark> {
     let cells = (0..rows.len() - 1).filter(|&place| !is_hole(place));
     let longest = cells
         .max_by(|one, other| width(*one).total_cmp(&width(*other)))
-        .filter(|place| width(*place) > LONGEST_GOOD_STEP * (1.0 + 1e-9))?;
-    let slopes = slopes(rows, LIFT.1);
+        .filter(|place| width(*place) > LONGEST_GOOD_STEP * (1.0 + ONE_ANGLE))?;
+    let slopes = slopes(rows, &Column::LIFT);
     let changes = slopes.windows(2).map(|pair| (pair[1] - pair[0]).abs());
     let beside_no_hole = |(place, _): &(usize, f64)| !is_hole(*place) && !is_hole(place + 1);
     let most = changes
@@ -208,8 +301,8 @@ fn jumps(table: &CoefficientTable) -> Vec<Remark> {
     let (first, last) = (rows[0], rows[rows.len() - 1]);
     let mut remarks = Vec::new();
     if table.has_a_jump_at_its_end() {
-        let parts = large_parts(table, &[LIFT, DRAG, MOMENT], |column| {
-            column(&first) - column(&last)
+        let parts = large_parts(table, table.curves(), |column| {
+            column.of(&first) - column.of(&last)
         });
         let parts: Vec<String> = parts
             .iter()
@@ -226,29 +319,21 @@ fn jumps(table: &CoefficientTable) -> Vec<Remark> {
             ),
         });
     }
-    let is_at = |row: &Row, angle: f64| (row.angle - angle).abs() < 1e-9;
-    let is_half = is_at(&first, 0.0) && is_at(&last, 180.0);
-    if !is_half && !is_mirrored(table) {
+    if !is_mirrored(table) {
         return remarks;
     }
-    let condition = if is_half {
-        "if the other half of the circle mirrors this one, lift and moment are odd and jump there"
-    } else {
-        "the table mirrors itself, lift and moment are odd, and jump there"
-    };
     let is_known = |row: &Row| table.has_a_jump_at_its_end() && (*row == first || *row == last);
-    let is_axis = |row: &&Row| {
-        [-180.0, 0.0, 180.0, 360.0]
-            .iter()
-            .any(|&axis| is_at(row, axis))
-    };
-    for row in rows.iter().filter(is_axis).filter(|row| !is_known(row)) {
-        let parts = large_parts(table, &[LIFT, MOMENT], |column| column(row));
+    for row in rows
+        .iter()
+        .filter(|row| is_at_an_axis(row) && !is_known(row))
+    {
+        let odd = [Column::LIFT, Column::MOMENT];
+        let parts = large_parts(table, &odd, |column| column.of(row));
         if !parts.is_empty() {
             remarks.push(Remark {
                 place: Place::line(table.file(), row.line),
                 what: format!(
-                    "{} at {}° and not 0: {condition}; derivatives in the cells next to it mean nothing",
+                    "{} at {}° and not 0: the table mirrors itself, lift and moment are odd, and jump there; derivatives in the cells next to it mean nothing",
                     parts.join(" and "),
                     row.angle
                 ),
@@ -258,15 +343,20 @@ fn jumps(table: &CoefficientTable) -> Vec<Remark> {
     remarks
 }
 
+/// Whether a row is at 0° or 180°.
+fn is_at_an_axis(row: &Row) -> bool {
+    (row.angle / 180.0 - (row.angle / 180.0).round()).abs() < 1e-11
+}
+
 /// Which columns have a size that counts: `CL is 0.23`.
-fn large_parts(
+fn large_parts<'a>(
     table: &CoefficientTable,
-    columns: &[Column],
-    size: impl Fn(fn(&Row) -> f64) -> f64,
+    columns: impl IntoIterator<Item = &'a Column>,
+    size: impl Fn(&Column) -> f64,
 ) -> Vec<String> {
-    let large = columns.iter().filter_map(|(name, column)| {
-        let size = size(*column);
-        (size.abs() > NOTHING * table.span(column)).then(|| format!("{name} is {size}"))
+    let large = columns.into_iter().filter_map(|own| {
+        let (size, span) = (size(own), table.span(|row| own.of(row)));
+        (size.abs() > NOTHING * span).then(|| format!("{} is {size}", own.name))
     });
     large.collect()
 }
@@ -274,8 +364,9 @@ fn large_parts(
 /// Whether the curves on both sides of 0° are mirror images: drag even, lift and moment odd.
 fn is_mirrored(table: &CoefficientTable) -> bool {
     let rows = table.rows();
-    let same = |(_, column): Column, row: &Row, image: &Row, sign: f64| {
-        (column(row) - sign * column(image)).abs() <= 1e-6 * table.span(column)
+    let same = |column: Column, row: &Row, image: &Row, sign: f64| {
+        let span = table.span(|row| column.of(row));
+        (column.of(row) - sign * column.of(image)).abs() <= 1e-6 * span
     };
     let turned = |angle: f64| angle.rem_euclid(360.0);
     let mut pairs = 0;
@@ -293,9 +384,9 @@ fn is_mirrored(table: &CoefficientTable) -> bool {
         let Some(other) = images.next().filter(|_| !is_axis) else {
             continue;
         };
-        let fits = same(DRAG, row, other, 1.0)
-            && same(LIFT, row, other, -1.0)
-            && same(MOMENT, row, other, -1.0);
+        let fits = same(Column::DRAG, row, other, 1.0)
+            && same(Column::LIFT, row, other, -1.0)
+            && same(Column::MOMENT, row, other, -1.0);
         if !fits {
             return false;
         }

@@ -2,7 +2,8 @@
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
-use super::heading::{are_units, is_heading};
+use super::meaning::are_units;
+use super::names::Names;
 use crate::stability::input::{InputError, Place, shortened};
 
 /// What begins a comment.
@@ -58,23 +59,27 @@ impl Sheet {
     /// Reads a text.
     ///
     /// The heading is the first line that names an angle, a lift and a drag, or else the first comment that does, as
-    /// in polars of AeroDyn; without one it is the first line that says something.
+    /// in polars of AeroDyn; without one it is the first line with a name that the case says, or that says anything.
     ///
     /// # Errors
     ///
     /// An empty text, and what is no CSV, with its line.
-    pub fn read(file: &str, text: &str) -> Result<Self, InputError> {
+    pub fn read(file: &str, text: &str, names: &Names) -> Result<Self, InputError> {
         let lines: Vec<&str> = text.lines().collect();
         let says_something = |own: &usize| {
             let line = lines[*own].trim();
             !line.is_empty() && !is_comment(line) && !line.starts_with("sep=")
         };
-        let is_named = |own: &usize| is_heading(&cells(uncommented(lines[*own])));
+        let cells_of = |own: &usize| cells(uncommented(lines[*own]));
+        let is_named = |own: &usize| names.are_in(&cells_of(own));
+        let is_partly_named = |own: &usize| names.are_partly_in(&cells_of(own));
         let all = 0..lines.len();
         let named = all.clone().filter(says_something).find(is_named);
         let in_a_comment = || all.clone().find(is_named);
+        let in_parts = || all.clone().find(is_partly_named);
         let first = || all.clone().find(says_something);
-        let Some(heading) = named.or_else(in_a_comment).or_else(first) else {
+        let heading = named.or_else(in_a_comment).or_else(in_parts);
+        let Some(heading) = heading.or_else(first) else {
             let help = "the first row names the columns alpha_deg, CL, CD, CM";
             return Err(InputError::new(
                 Place::file(file),

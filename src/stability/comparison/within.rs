@@ -95,7 +95,8 @@ pub(super) fn within(
 ) -> Result<Option<Within>, InputError> {
     let cause = match (table.has_errors(), scatter(table)) {
         (true, _) => Cause::Errors,
-        (false, _) if case.errors.is_some() => return Ok(None),
+        // Of derivatives that the table gives no scatter is known.
+        (false, _) if case.errors.is_some() || table.has_slopes() => return Ok(None),
         (false, [0.0, 0.0, 0.0]) => return Ok(None),
         (false, found) => Cause::Scatter(found),
     };
