@@ -245,7 +245,8 @@ fn scattered(count: usize, scatter: &[f64], error: f64) -> CoefficientTable {
     let rows = (0..count).map(|row| {
         let angle = 360.0 * row as f64 / (count - 1) as f64;
         let wave = |phase: f64, own: usize| {
-            (angle.to_radians() + phase).sin() + scatter[(3 * (row % (count - 1)) + own) % scatter.len()]
+            (angle.to_radians() + phase).sin()
+                + scatter[(3 * (row % (count - 1)) + own) % scatter.len()]
         };
         let [lift, drag, moment] = [wave(0.0, 0), wave(1.0, 1), wave(2.0, 2)];
         format!("{angle},{lift},{drag},{moment},{error}")
