@@ -135,10 +135,9 @@ fn odd_numbers(table: &CoefficientTable) -> Vec<Remark> {
     // At the axes of what mirrors itself jumps are looked for below.
     let is_mirrored = is_mirrored(table);
     let is_new = |own: &Oddity| {
-        let ends = &rows[own.row()..own.row() + 2];
         let is_known = |row| is_mirrored && is_at_an_axis(row);
-        ends.iter()
-            .all(|row| table.is_written(row) && !is_known(row))
+        let mut own = rows[own.rows()].iter();
+        own.all(|row| table.is_written(row) && !is_known(row))
     };
     let remark = |column: &Column, own: Oddity| {
         let (row, next) = (&rows[own.row()], &rows[own.row() + 1]);
