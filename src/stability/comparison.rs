@@ -143,7 +143,12 @@ pub(super) fn section_at(
     let coefficients = curves.at(angle).map_err(|outside| {
         let help = match radians(table) {
             Some(remark) => remark.what,
-            None => format!("shorten the sweep in {}, or complete the table", case.file),
+            None if table.is_circle() => "complete the table".to_string(),
+            None => format!(
+                "shorten the sweep in {}, complete the table, or write `mirror = true` if it is half of what is its own \
+                 mirror image",
+                case.file
+            ),
         };
         InputError::new(Place::file(table.file()), outside.to_string(), help)
     })?;
