@@ -34,7 +34,7 @@ use super::Outcome;
 use super::case::case_and_table;
 use super::generate::{FixedParser, unknown};
 use super::output::{Results, finish, wrong};
-use super::system::{Chosen, Which, refuse};
+use super::system::{Chosen, Which, numbers, refuse};
 
 /// Computes the modes of one section in the wind, or of a system that a document derives
 ///
@@ -226,6 +226,7 @@ fn of_system(arguments: &Arguments) -> Result<ModesFound, Outcome> {
         ));
     }
     let document = arguments.document.as_deref();
+    numbers(&arguments.set, &[])?;
     let chosen = arguments.which.choose(document, &[&arguments.set])?;
     let values = chosen.numbers(&arguments.set, &[])?;
     let Chosen { system, shown, .. } = chosen;

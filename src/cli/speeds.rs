@@ -16,7 +16,7 @@ use super::Outcome;
 use super::case::{case_and_table, refuse};
 use super::generate::FixedParser;
 use super::output::wrong;
-use super::system::{Which, is_document, named, with};
+use super::system::{Which, is_document, named, numbers, with};
 use super::view::View;
 
 /// Finds the critical wind speeds of a case, or critical values of any quantity of a system
@@ -99,6 +99,7 @@ fn of_system(arguments: &Arguments) -> Outcome {
     };
     let found = || {
         let document = arguments.input.as_ref().map(|path| path.to_string_lossy());
+        numbers(&arguments.set, &[name])?;
         let ends = [from, to].map(|end| with(&arguments.set, name, end));
         let chosen = arguments
             .which

@@ -48,11 +48,12 @@ A case file:
   gamma_r_deg = 0                 # and its angle in degrees
   coefficients = \"table.csv\"      # with the columns alpha_deg, CL, CD, CM
   # columns = { CL = \"ca\" }        if columns have other names than the usual ones
-  mirror = false                  # true: half a table is continued by symmetry; may be left out
-  slopes = false                  # true: derivatives are dCL, dCD, dCM of the table; may be left out
+  mirror = false                  # true: half a table is continued by symmetry
+  slopes = false                  # true: derivatives are dCL, dCD, dCM of the table
   interpolation = \"cubic\"         # or \"linear\": a slope for each cell, at a row that above it;
                                   # \"smooth\": no closer to the table than this scatters
-  errors = { CD = 0.02, CL = 0.02, CM = 0.005 }  # of the coefficients; may be left out
+  errors = { CD = 0.02, CL = 0.02, CM = 0.005 }  # of the coefficients
+                                  # mirror, slopes and errors may be left out
   [structure]
   f_x = 0.96                      # frequencies in Hz
   f_y = 0.845

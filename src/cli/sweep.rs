@@ -24,7 +24,7 @@ use super::Outcome;
 use super::case::{refuse, set_case_and_files, warn};
 use super::generate::FixedParser;
 use super::output::wrong;
-use super::system::{Which, is_document, with};
+use super::system::{Which, is_document, numbers, with};
 
 use self::written::written;
 
@@ -149,6 +149,7 @@ fn of_system(arguments: &Arguments) -> Result<Outcome, Outcome> {
         .map(|own| Name::new(&own.name).ascii)
         .collect();
     let moving: Vec<&str> = names.iter().map(String::as_str).collect();
+    numbers(&arguments.set, &moving)?;
     let [first, last] = [true, false].map(|is_first| end(arguments, &moving, is_first));
     let document = arguments.input.as_ref().map(|path| path.to_string_lossy());
     let chosen = arguments

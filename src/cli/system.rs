@@ -182,7 +182,7 @@ impl Chosen {
 /// # Errors
 ///
 /// The outcome, after it was written that one is set twice, or moves.
-fn numbers(set: &[Fixed], moving: &[&str]) -> Result<BTreeMap<String, Rational>, Outcome> {
+pub fn numbers(set: &[Fixed], moving: &[&str]) -> Result<BTreeMap<String, Rational>, Outcome> {
     let mut values = BTreeMap::new();
     if let Some(both) = set.iter().find(|own| moving.contains(&own.name.as_str())) {
         let name = &both.name;
