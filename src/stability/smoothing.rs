@@ -16,6 +16,9 @@ const STEPS: usize = 100;
 const DECADES: usize = 12;
 const IN_A_DECADE: usize = 8;
 
+/// How often the ratio is taken from there on: to some millionths of a power of ten.
+const SECTIONS: usize = 24;
+
 /// What smooths values at the same places, as much as they scatter.
 ///
 /// Among all curves f the one with the least Σ(y_i − f(x_i))² + λ∫f″² is a cubic spline (Reinsch 1967), whose values at
@@ -130,26 +133,45 @@ impl Smoother {
         })
     }
 
-    /// The λ of the least generalised cross-validation among powers of ten, and parts of such: the smoothest of equal
-    /// ones.
+    /// The λ of the least generalised cross-validation: the best of some powers of ten, the smoothest of equal ones, and from
+    /// there by sections of the golden ratio.
     fn best(&self, parts: &DVector<f64>) -> f64 {
-        let largest = self.roughness.iter().copied().fold(0.0, f64::max);
-        let is_rough = |own: &f64| *own > largest * 1e-12;
-        let rough: Vec<f64> = self.roughness.iter().copied().filter(is_rough).collect();
-        let logarithms = rough.iter().map(|own| own.ln()).sum::<f64>();
-        let middle = (-logarithms / rough.len().max(1) as f64).exp();
-        let steps = (DECADES * IN_A_DECADE) as i32;
-        let candidates = (-steps..=steps).rev();
-        let candidates =
-            candidates.map(|step| middle * 10.0_f64.powf(f64::from(step) / IN_A_DECADE as f64));
-        let score = |smoothness: f64| {
-            let [left, freedom] = self.left(parts, smoothness);
+        let middle = self.middle();
+        let of = |power: f64| middle * 10.0_f64.powf(power);
+        let score = |power: f64| {
+            let [left, freedom] = self.left(parts, of(power));
             left / (freedom * freedom)
         };
-        let scored = candidates.map(|own| (score(own), own));
+        let steps = (DECADES * IN_A_DECADE) as i32;
+        let powers = (-steps..=steps).rev();
+        let powers = powers.map(|step| f64::from(step) / IN_A_DECADE as f64);
         let better = |best: (f64, f64), own: (f64, f64)| if own.0 < best.0 { own } else { best };
-        scored.fold((f64::INFINITY, middle), better).1
+        let scored = powers.map(|own| (score(own), own));
+        let (_, best) = scored.fold((f64::INFINITY, 0.0), better);
+        let step = 1.0 / IN_A_DECADE as f64;
+        of(least(score, [best - step, best + step]))
     }
+
+    /// A λ in the middle of those that matter: one over the geometric mean of the roughnesses above 0.
+    fn middle(&self) -> f64 {
+        let largest = self.roughness.iter().copied().fold(0.0, f64::max);
+        let rough = self.roughness.iter().filter(|own| **own > largest * 1e-12);
+        let logarithms: Vec<f64> = rough.map(|own| own.ln()).collect();
+        (-logarithms.iter().sum::<f64>() / logarithms.len().max(1) as f64).exp()
+    }
+}
+
+/// Where a function of one valley is least between two places.
+fn least(function: impl Fn(f64) -> f64, [mut from, mut to]: [f64; 2]) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    for _ in 0..SECTIONS {
+        let [low, high] = [to - GOLDEN * (to - from), from + GOLDEN * (to - from)];
+        match function(low) <= function(high) {
+            true => to = high,
+            false => from = low,
+        }
+    }
+    0.5 * (from + to)
 }
 
 /// Q, n rows for the points, and R: a column for each second difference.

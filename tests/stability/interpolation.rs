@@ -407,3 +407,60 @@ fn derivatives_are_those_of_the_columns_if_the_case_says_so() {
         );
     }
 }
+
+/// SciPy 1.17, `make_smoothing_spline` of each column with the λ at which NumPy finds the generalised cross-validation
+/// least, of 4,000 powers; SciPy's own search for it ends in a worse one.
+#[test]
+fn smooth_curves_are_those_of_another_program() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/derivations/cases/scattered.csv"
+    );
+    let text = std::fs::read_to_string(path).expect("a table");
+    let table = CoefficientTable::read("scattered.csv", &text).expect("a table");
+    let curves = CoefficientCurves::new(&table, Interpolation::Smooth).expect("curves");
+    for (angle, values, slopes) in [
+        (
+            0.0,
+            [0.662929, -0.022613, 0.00037],
+            [0.32988, -1.42118, 0.24288],
+        ),
+        (
+            33.0,
+            [0.945305, -0.338952, 0.110196],
+            [0.73446, 1.21204, 0.08954],
+        ),
+        (
+            90.0,
+            [1.501238, 1.906735, -0.053576],
+            [-0.05483, 0.02026, -0.30414],
+        ),
+        (
+            151.0,
+            [0.89301, -0.411566, -0.153447],
+            [-0.655, -0.81674, 0.1913],
+        ),
+        (
+            180.0,
+            [0.690262, 0.000134, -0.00089],
+            [-0.22822, 1.63096, 0.34898],
+        ),
+    ] {
+        let own = curves.at(angle).expect("in the table");
+        for (found, expected) in [own.drag, own.lift, own.moment].iter().zip(values) {
+            assert!(
+                (found - expected).abs() < 1e-4,
+                "{angle}: {found} {expected}"
+            );
+        }
+        for (found, expected) in [own.drag_slope, own.lift_slope, own.moment_slope]
+            .iter()
+            .zip(slopes)
+        {
+            assert!(
+                (found - expected).abs() < 1e-3,
+                "{angle}: {found} {expected}"
+            );
+        }
+    }
+}
