@@ -142,23 +142,7 @@ impl Specification {
         mut elaborator: Elaborator,
     ) -> Result<Self, Refusal> {
         elaborator.fresh();
-        let (mut outputs, mut shown) = (Vec::new(), Vec::new());
-        for output in &evaluator.outputs {
-            let value = elaborator.value(&output.expression);
-            let value = value.map_err(Refusal::document)?;
-            let ascii = entry_names(&output.name.ascii, value.shape());
-            let unicode = entry_names(&output.name.unicode, value.shape());
-            for ((name, symbol), entry) in ascii.into_iter().zip(unicode).zip(value.entries()) {
-                let unit = entry.unit.as_ref().map(ToString::to_string);
-                shown.push(Quantity {
-                    name: name.clone(),
-                    symbol,
-                    unit: unit.unwrap_or_default(),
-                    description: String::new(),
-                });
-                outputs.push((name, entry.value.clone()));
-            }
-        }
+        let (outputs, shown) = outputs(evaluator, &mut elaborator)?;
         let needed = std::mem::take(&mut elaborator.conditions);
         let conditions = elaborator.present_conditions(&needed, &evaluator.span);
         let conditions = conditions.map_err(Refusal::document)?;
@@ -232,6 +216,31 @@ impl Specification {
             .map(|input| &input.quantity)
             .chain(angles.map(|angle| &angle.quantity))
     }
+}
+
+/// The outputs in normal form, entry by entry, and what is said of each.
+fn outputs(
+    evaluator: &Evaluator,
+    elaborator: &mut Elaborator,
+) -> Result<(Vec<(String, Fraction)>, Vec<Quantity>), Refusal> {
+    let (mut outputs, mut shown) = (Vec::new(), Vec::new());
+    for output in &evaluator.outputs {
+        let value = elaborator.value(&output.expression);
+        let value = value.map_err(Refusal::document)?;
+        let ascii = entry_names(&output.name.ascii, value.shape());
+        let unicode = entry_names(&output.name.unicode, value.shape());
+        for ((name, symbol), entry) in ascii.into_iter().zip(unicode).zip(value.entries()) {
+            let unit = entry.unit.as_ref().map(ToString::to_string);
+            shown.push(Quantity {
+                name: name.clone(),
+                symbol,
+                unit: unit.unwrap_or_default(),
+                description: String::new(),
+            });
+            outputs.push((name, entry.value.clone()));
+        }
+    }
+    Ok((outputs, shown))
 }
 
 /// The numbers of a label: 21, 22 and 23 of `(21, 22, 23)`, 19 of `(19, tuned)`.

@@ -2,7 +2,7 @@
 
 use super::syntax::{
     EvaluatorBody, Expression, Name, Node, Place, Relation, Replacement, Spanned, Statement,
-    StatementKind, SystemBody,
+    StatementKind, SystemBody, SystemStatement,
 };
 
 /// A name that is mentioned.
@@ -66,24 +66,7 @@ impl Statement {
                 found.extend(names.map(|name| Mention::bare(&name.value)));
                 of_all(&matching.neglected, &mut found);
             }
-            StatementKind::System(system) => {
-                let coordinates = system.coordinates.iter();
-                found.extend(coordinates.map(|name| Mention::bare(&name.value)));
-                match &system.body {
-                    SystemBody::Matrices {
-                        mass,
-                        damping,
-                        stiffness,
-                    } => {
-                        let parts = damping.iter().chain(stiffness).map(|part| &part.matrix);
-                        of_all([mass].into_iter().chain(parts), &mut found);
-                    }
-                    SystemBody::Equations { equations, rest } => {
-                        equations.collect_mentions(&mut found);
-                        of_place(rest, &mut found);
-                    }
-                }
-            }
+            StatementKind::System(system) => of_system(system, &mut found),
             StatementKind::Evaluator {
                 body,
                 approximated,
@@ -94,12 +77,7 @@ impl Statement {
                 place
                     .into_iter()
                     .for_each(|place| of_place(place, &mut found));
-                match body {
-                    EvaluatorBody::Outputs(outputs) => {
-                        of_all(outputs.iter().map(|(_, value)| value), &mut found);
-                    }
-                    EvaluatorBody::Special { place, .. } => of_place(place, &mut found),
-                }
+                of_body(body, &mut found);
                 for condition in conditions {
                     of_relation(condition, &mut found);
                 }
@@ -178,5 +156,33 @@ fn of_place(place: &Place, found: &mut Vec<Mention>) {
     match place {
         Place::Named(name) => found.push(Mention::bare(&name.value)),
         Place::Replacements(replacements) => of_replacements(replacements, found),
+    }
+}
+
+fn of_system(system: &SystemStatement, found: &mut Vec<Mention>) {
+    let coordinates = system.coordinates.iter();
+    found.extend(coordinates.map(|name| Mention::bare(&name.value)));
+    match &system.body {
+        SystemBody::Matrices {
+            mass,
+            damping,
+            stiffness,
+        } => {
+            let parts = damping.iter().chain(stiffness).map(|part| &part.matrix);
+            of_all([mass].into_iter().chain(parts), found);
+        }
+        SystemBody::Equations { equations, rest } => {
+            equations.collect_mentions(found);
+            of_place(rest, found);
+        }
+    }
+}
+
+fn of_body(body: &EvaluatorBody, found: &mut Vec<Mention>) {
+    match body {
+        EvaluatorBody::Outputs(outputs) => {
+            of_all(outputs.iter().map(|(_, value)| value), found);
+        }
+        EvaluatorBody::Special { place, .. } => of_place(place, found),
     }
 }
