@@ -2,17 +2,14 @@
 
 use nalgebra::ComplexField;
 
-/// The largest number of rows.
-const MOST: usize = 2 * super::MOST_COORDINATES;
-
 /// L and U of a square matrix with its rows in another order, for any complex or real numbers.
-pub(super) struct Factors<T> {
+pub(super) struct Factors<T, const MOST: usize> {
     size: usize,
     entries: [[T; MOST]; MOST],
     order: [usize; MOST],
 }
 
-impl<T: ComplexField<RealField = f64> + Copy> Factors<T> {
+impl<T: ComplexField<RealField = f64> + Copy, const MOST: usize> Factors<T, MOST> {
     /// Of the first `size` rows and columns; a pivot that vanishes becomes `least`, so that what nearly has no inverse
     /// has a large one. `None` if all else is 0 and `least` too, or the entries are no numbers.
     ///
@@ -73,7 +70,10 @@ fn dot<T: ComplexField<RealField = f64> + Copy>(a: &[T], b: &[T]) -> T {
 /// The inverse of the first `size` rows and columns of a real matrix; `None` if a pivot is 0.
 ///
 /// Complexity: n³ products, along rows.
-pub(super) fn inverse(size: usize, matrix: &[[f64; MOST]; MOST]) -> Option<[[f64; MOST]; MOST]> {
+pub(super) fn inverse<const MOST: usize>(
+    size: usize,
+    matrix: &[[f64; MOST]; MOST],
+) -> Option<[[f64; MOST]; MOST]> {
     let factors = Factors::new(size, *matrix, 0.0)?;
     let mut rows = [[0.0; MOST]; MOST];
     for (row, original) in factors.order[..size].iter().enumerate() {
@@ -98,7 +98,12 @@ pub(super) fn inverse(size: usize, matrix: &[[f64; MOST]; MOST]) -> Option<[[f64
 }
 
 /// Takes multiples of other rows from a row.
-fn subtract(size: usize, row: &mut [f64; MOST], others: &[[f64; MOST]], factors: &[f64]) {
+fn subtract<const MOST: usize>(
+    size: usize,
+    row: &mut [f64; MOST],
+    others: &[[f64; MOST]],
+    factors: &[f64],
+) {
     for (other, factor) in others.iter().zip(factors) {
         for (own, entry) in row[..size].iter_mut().zip(other) {
             *own -= factor * entry;
@@ -111,6 +116,8 @@ mod tests {
     use super::*;
     use num_complex::Complex;
     use proptest::prelude::*;
+
+    const MOST: usize = 16;
 
     proptest! {
         #[test]

@@ -33,14 +33,23 @@ pub(super) struct Disc {
 }
 
 /// Eigenvalues and a vector for each.
-type Approximations = (Vec<Complex<f64>>, Vec<Vector>);
+type Approximations = (Vec<Complex<f64>>, Vec<Long>);
+
+/// A vector q, or (q, λq).
+type Long = [Complex<f64>; MOST];
+
+fn long(vector: &Vector) -> Long {
+    let mut long = [Complex::ZERO; MOST];
+    long[..vector.len()].copy_from_slice(vector);
+    long
+}
 
 /// Eigenvalues and vectors (q, λq).
 pub(super) fn values(pencil: &Pencil) -> Option<Approximations> {
     let n = pencil.size;
     let values = eigenvalues(2 * n, &state_matrix(pencil)?)?[..2 * n].to_vec();
     let vector = |(number, value): (usize, &Complex<f64>)| {
-        let mut vector = of_pair(pencil, *value, *value, number)?;
+        let mut vector = long(&of_pair(pencil, *value, *value, number)?);
         for place in 0..n {
             vector[n + place] = vector[place] * value;
         }
@@ -58,8 +67,9 @@ pub(super) fn values(pencil: &Pencil) -> Option<Approximations> {
 pub(super) fn squares(pencil: &Pencil) -> Option<Approximations> {
     let n = pencil.size;
     let values = eigenvalues(n, &stiffness_over_mass(pencil)?)?[..n].to_vec();
-    let vector =
-        |(number, value): (usize, &Complex<f64>)| of_pair(pencil, *value, value.sqrt(), number);
+    let vector = |(number, value): (usize, &Complex<f64>)| {
+        Some(long(&of_pair(pencil, *value, value.sqrt(), number)?))
+    };
     let vectors = values
         .iter()
         .enumerate()
@@ -152,7 +162,7 @@ fn rounding(summands: usize) -> f64 {
 pub(super) fn discs(
     linear: &Linear,
     values: &[Complex<f64>],
-    vectors: &[Vector],
+    vectors: &[Long],
     h: f64,
 ) -> Option<Vec<Disc>> {
     let size = linear.size;

@@ -2,9 +2,9 @@
 
 use crate::stability::francis;
 
-use super::MOST_ROWS;
 use super::linear_equations::Factors;
 use super::pencil::Pencil;
+use super::{MOST_COORDINATES, MOST_ROWS};
 
 /// A matrix of which the first rows and columns count.
 type Matrix = francis::Matrix<MOST_ROWS>;
@@ -23,7 +23,7 @@ pub(super) fn stiffness_over_mass(pencil: &Pencil) -> Option<Matrix> {
 /// A = \[0, I; −M⁻¹K, −M⁻¹C\], 2n×2n; `None` where M has no inverse in doubles.
 pub(super) fn state_matrix(pencil: &Pencil) -> Option<Matrix> {
     let n = pencil.size;
-    let mut mass = [[0.0; MOST_ROWS]; MOST_ROWS];
+    let mut mass = [[0.0; MOST_COORDINATES]; MOST_COORDINATES];
     for (row, own) in mass[..n].iter_mut().zip(&pencil.powers[2].centre) {
         row[..n].copy_from_slice(&own[..n]);
     }

@@ -7,7 +7,7 @@ use super::linear_equations::Factors;
 use super::pencil::Pencil;
 
 /// A vector of which the first n entries count.
-pub(super) type Vector = [Complex<f64>; 2 * MOST_COORDINATES];
+pub(super) type Vector = [Complex<f64>; MOST_COORDINATES];
 
 /// A vector q with (λ²M + λC + K) q near 0 for an approximate eigenvalue λ, its largest entry 1; `None` if there is
 /// none in doubles.
@@ -16,7 +16,7 @@ pub(super) type Vector = [Complex<f64>; 2 * MOST_COORDINATES];
 /// own if they have different numbers, which choose b. Complexity: n³/3 products.
 pub(super) fn shape(pencil: &Pencil, value: Complex<f64>, number: usize) -> Option<Vector> {
     let n = pencil.size;
-    let mut entries = [[Complex::ZERO; 2 * MOST_COORDINATES]; 2 * MOST_COORDINATES];
+    let mut entries = [[Complex::ZERO; MOST_COORDINATES]; MOST_COORDINATES];
     let mut largest = 0.0_f64;
     for (row, own) in entries[..n].iter_mut().enumerate() {
         for (column, entry) in own[..n].iter_mut().enumerate() {
@@ -33,7 +33,7 @@ pub(super) fn shape(pencil: &Pencil, value: Complex<f64>, number: usize) -> Opti
 
 /// Some vector that no eigenvector is likely to have nothing of.
 fn start(n: usize, number: usize) -> Vector {
-    let mut start = [Complex::ZERO; 2 * MOST_COORDINATES];
+    let mut start = [Complex::ZERO; MOST_COORDINATES];
     for (place, own) in start[..n].iter_mut().enumerate() {
         // The golden section spreads evenly.
         let spread = |count: usize| (count as f64 * 0.618_033_988_749_895).fract() - 0.5;
@@ -51,7 +51,7 @@ fn start(n: usize, number: usize) -> Vector {
 /// P′(λ) q = (2λM + C) q
 fn slope(pencil: &Pencil, value: Complex<f64>, vector: &Vector) -> Vector {
     let n = pencil.size;
-    let mut product = [Complex::ZERO; 2 * MOST_COORDINATES];
+    let mut product = [Complex::ZERO; MOST_COORDINATES];
     for (row, own) in product[..n].iter_mut().enumerate() {
         for (column, entry) in vector[..n].iter().enumerate() {
             let [c, m] = [1, 2].map(|power| pencil.powers[power].centre[row][column]);
