@@ -38,8 +38,7 @@ pub fn case_and_table(
     outputs: &[PathBuf],
 ) -> Result<(Case, CoefficientTable), Outcome> {
     let (case, table, _) = set_case_and_files(path, set, outputs)?;
-    warn(&remarks(&table));
-    warn(&case.remarks());
+    warn_of(&case, &table);
     Ok((case, table))
 }
 
@@ -136,6 +135,17 @@ fn read_from(case: &Case, table: &CoefficientTable) -> String {
 /// Writes what is wrong with a case or a table.
 pub fn refuse(error: &InputError) -> Outcome {
     wrong(&format!("{}: {}", error.place, error.what), &error.help)
+}
+
+/// Writes what is odd about a case and its table to standard error, for a command that does not consider errors of the
+/// coefficients.
+pub fn warn_of(case: &Case, table: &CoefficientTable) {
+    warn(case.scatter_remark(table).as_slice());
+    warn(&remarks(table));
+    warn(&case.remarks());
+    if table.has_errors() {
+        complain("Errors of the coefficients are not considered here: `sextic stability` does.\n");
+    }
 }
 
 /// Writes what is odd about the input to standard error.

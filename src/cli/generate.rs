@@ -388,7 +388,11 @@ pub(super) fn refused(evaluator: &str, path: &str, refusal: &Refusal, audits: &[
 }
 
 pub(super) fn unknown(message: &str, name: &str, known: &[String]) -> Outcome {
-    let help = match nearest(name, known.iter().map(String::as_str)) {
+    // `CD` is `C_D` rather than `D`.
+    let letters = |own: &str| own.replace('_', "").to_lowercase();
+    let same = known.iter().find(|own| letters(own) == letters(name));
+    let near = same.map(String::as_str);
+    let help = match near.or_else(|| nearest(name, known.iter().map(String::as_str))) {
         Some(near) => format!("did you mean `{near}`?"),
         None => format!("there are {}", known.join(", ")),
     };

@@ -35,6 +35,7 @@ use super::case::case_and_table;
 use super::generate::{FixedParser, unknown};
 use super::output::{Results, finish, wrong};
 use super::system::{Chosen, Which, numbers, refuse};
+use super::vocabulary::Vocabulary;
 
 /// Computes the modes of one section in the wind, or of a system that a document derives
 ///
@@ -43,7 +44,8 @@ use super::system::{Chosen, Which, numbers, refuse};
 /// it, whose quantities are all given by --set.
 ///
 /// Eigenvalues are in 1/s, one of each pair of conjugates: the real part is the growth, the imaginary
-/// part the circular frequency. Quantities are in SI units, angles in radians, derivatives per radian;
+/// part the circular frequency. Quantities are in SI units, angles in radians (`alpha_g_deg` in degrees), frequencies in rad/s
+/// (`f_x` in hertz), derivatives per radian;
 /// numbers are decimals or fractions. Whether the section is stable is decided in exact arithmetic for
 /// the numbers as they are written; eigenvalues and the bounds of their errors are those of the section
 /// whose quantities are the doubles nearest to them.
@@ -455,6 +457,21 @@ fn by_spectrum(
     }
 }
 
+/// A quantity of a case file in SI units and radians.
+fn in_si(number: &Fixed, known: &[String]) -> Fixed {
+    let angles = known.iter().filter(|own| is_angle(own)).cloned();
+    let rates = known
+        .iter()
+        .filter(|own| own.starts_with("omega_"))
+        .cloned();
+    Vocabulary::new(known.iter().cloned(), angles, rates).in_si(number)
+}
+
+/// Whether a quantity of a section is an angle.
+fn is_angle(name: &str) -> bool {
+    Variable::named(&format!("{name}_deg")).is_some() || matches!(name, "alpha_0" | "theta_0")
+}
+
 /// The values by name, as they are written.
 type Exact = BTreeMap<String, Rational>;
 
@@ -463,6 +480,7 @@ fn values(set: &[Fixed]) -> Result<(Exact, BTreeMap<String, f64>), Outcome> {
     let known: Vec<String> = names().map(str::to_string).collect();
     let (mut exact, mut values) = (BTreeMap::new(), BTreeMap::new());
     for number in set {
+        let number = &in_si(number, &known);
         let name = &number.name;
         if !known.contains(name) {
             return Err(unknown(

@@ -52,7 +52,7 @@ A case file:
   slopes = false                  # true: derivatives are dCL, dCD, dCM of the table
   interpolation = \"cubic\"         # or \"linear\": a slope for each cell, at a row that above it;
                                   # \"smooth\": no closer to the table than this scatters
-  errors = { CD = 0.02, CL = 0.02, CM = 0.005 }  # of the coefficients
+  errors = { CD = 0.02, CL = 0.02, CM = 0.005 }  # the largest of the coefficients, not the usual
                                   # mirror, slopes and errors may be left out
   [structure]
   f_x = 0.96                      # frequencies in Hz

@@ -15,13 +15,12 @@ use crate::compile::fixed::Fixed;
 use crate::language::diagnostic::nearest;
 use crate::language::syntax::Name;
 use crate::stability::axis::{Axis, spaced};
-use crate::stability::coefficient_table::remarks::remarks;
 use crate::stability::grid::{Grid, MOST_POINTS, Methods, Rows};
 use crate::stability::system::sweep::SweepAxis;
 use crate::stability::variable::Variable;
 
 use super::Outcome;
-use super::case::{refuse, set_case_and_files, warn};
+use super::case::{refuse, set_case_and_files, warn_of};
 use super::generate::FixedParser;
 use super::output::wrong;
 use super::system::{Which, is_document, numbers, with};
@@ -210,8 +209,7 @@ fn of_case(arguments: &Arguments, path: &Path) -> Outcome {
         Ok(axes) => axes,
         Err(message) => return wrong(&message, FORM),
     };
-    warn(&remarks(&table));
-    warn(&case.remarks());
+    warn_of(&case, &table);
     let methods = Methods {
         exact: arguments.method.contains(&Method::State),
         companion: arguments.method.contains(&Method::Companion),

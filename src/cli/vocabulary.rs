@@ -33,6 +33,19 @@ impl Vocabulary {
         own
     }
 
+    /// Of these names, some of angles and some of rates.
+    pub fn new(
+        names: impl Iterator<Item = String>,
+        angles: impl Iterator<Item = String>,
+        rates: impl Iterator<Item = String>,
+    ) -> Self {
+        Vocabulary {
+            names: names.collect(),
+            angles: angles.collect(),
+            rates: rates.collect(),
+        }
+    }
+
     fn add(&mut self, name: &str, meaning: &Meaning) {
         match meaning {
             Meaning::Symbol { kind, unit, .. } => {

@@ -4,6 +4,7 @@ use toml::de::DeTable;
 
 mod file;
 mod keys;
+mod scatter;
 mod turn;
 
 use self::file::File;
@@ -96,6 +97,12 @@ pub struct Angles {
 
 /// Structural damping ratios above this are taken for percentages.
 const MOST_USUAL_RATIO: f64 = 0.1;
+
+/// In kg/m for a square metre: ten times that of a full square of lead.
+const HEAVIEST: f64 = 113_400.0;
+
+/// In kg/m³: that of air 20 km above the sea.
+const THINNEST: f64 = 0.09;
 
 /// No length of a section is this many times another one, but by a mistaken unit.
 const MOST_USUAL_LENGTHS: f64 = 20.0;
@@ -282,6 +289,19 @@ impl Case {
             remark(format!(
                 "m = {} kg/m beside D = {size} m weighs less than the air in a square of that side; all lengths are in m, 50 mm is 0.05",
                 p.mass
+            ));
+        }
+        // No solid of that size weighs as much, though it be of lead and some times as wide as D.
+        if p.mass > HEAVIEST * size * size {
+            remark(format!(
+                "m = {} kg/m beside D = {size} m is heavier than any metal; masses are in kg/m",
+                p.mass
+            ));
+        }
+        if p.air_density > 0.0 && p.air_density < THINNEST {
+            remark(format!(
+                "rho = {} kg/m³ is thinner than the air anything stands in; air has about 1.2 kg/m³",
+                p.air_density
             ));
         }
         for (name, length) in [Quantity::r, Quantity::L_a].map(given) {

@@ -99,12 +99,17 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
         let numbered = own.into_iter().zip(numbered);
         points.extend(numbered.map(|(point, modes)| Point { modes, ..point }));
     }
-    let mut remarks = remarks(table);
-    remarks.extend(case.remarks());
-    remarks.extend(weakened(case, &section, &points));
     let within = within::within(case, table, &angles, &section)?;
     let scattered = within.as_ref();
-    remarks.extend(scattered.and_then(|own| own.remark(case, table, &points)));
+    let scattered = scattered.and_then(|own| own.remark(case, table, &points));
+    // What overturns verdicts is said first.
+    let mut remarks: Vec<Remark> = scattered
+        .or_else(|| case.scatter_remark(table))
+        .into_iter()
+        .collect();
+    remarks.extend(self::remarks(table));
+    remarks.extend(case.remarks());
+    remarks.extend(weakened(case, &section, &points));
     let corners = curves.corners(&angles);
     if corners > 0 {
         remarks.push(Remark {

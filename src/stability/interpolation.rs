@@ -151,7 +151,7 @@ impl CoefficientCurves {
             Piece::new(piece, interpolation, ends, table.has_slopes()).ok_or_else(|| {
                 let what = format!("{} rows are not smoothed", piece.len());
                 let help = format!(
-                    "`interpolation = \"cubic\"` goes through all of them; at most {MOST_POINTS} are smoothed"
+                    "leave rows out, or average neighbours: at most {MOST_POINTS} are smoothed"
                 );
                 InputError::new(Place::file(table.file()), what, help)
             })

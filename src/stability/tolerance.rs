@@ -98,10 +98,15 @@ pub fn tolerance(section: &Section, errors: &Coefficients) -> Result<Tolerance, 
     while let Some(part) = search.rest.pop().filter(|_| search.is_open()) {
         search.look(part)?;
     }
-    Ok(Tolerance {
-        certainty: search.certainty(),
-        damping: family.and_then(|own| own.damping(section)),
-    })
+    let certainty = search.certainty();
+    let damping = family.and_then(|own| own.damping(section));
+    // Parts of the errors may tell more than the bounds of all.
+    let damping = damping.map(|[least, most]| match certainty {
+        Certainty::Stable => [least.max(0.0), most],
+        Certainty::Unstable => [least, most.min(0.0)],
+        Certainty::Depends | Certainty::Open => [least, most],
+    });
+    Ok(Tolerance { certainty, damping })
 }
 
 /// The most parts of the errors that are looked at.

@@ -266,3 +266,26 @@ fn angles_are_given_in_degrees_and_frequencies_in_hertz_to_documents_too() {
         ))
     );
 }
+
+#[test]
+fn a_section_without_a_case_takes_degrees_and_hertz() {
+    let common = "m=3.5 r=0.0178 L_g=0.004 rho=1.25 D=0.05 U=9 L_a=0.03 gamma_r=0 alpha_0=0 theta_0=0.5 zeta_x=0 \
+        zeta_y=0 zeta_theta=0 C_D=1 C_L=0 C_M=0 dC_D=0 dC_L=-3 dC_M=0";
+    let modes = |own: &str| {
+        let set = common
+            .split(' ')
+            .chain(own.split(' '))
+            .flat_map(|own| ["--set", own]);
+        let arguments: Vec<&str> = std::iter::once("modes").chain(set).collect();
+        let (status, out, err) = run(&arguments);
+        assert_eq!(status, Some(0), "{err}");
+        out
+    };
+    let pi = "3.141592653589793";
+    let omega = "6.283185307179586";
+    let radians = format!("omega_x={omega} omega_y={omega} omega_theta={omega} alpha_g={pi}");
+    assert_eq!(
+        modes("f_x=1 f_y=1 f_theta=1 alpha_g_deg=180"),
+        modes(&radians)
+    );
+}

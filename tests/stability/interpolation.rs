@@ -302,7 +302,7 @@ fn more_rows_than_can_be_smoothed_are_refused() {
     let error = CoefficientCurves::new(&table, Interpolation::Smooth).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "scattered.csv: 1100 rows are not smoothed: `interpolation = \"cubic\"` goes through all of them; at most 1000 are smoothed"
+        "scattered.csv: 1100 rows are not smoothed: leave rows out, or average neighbours: at most 1000 are smoothed"
     );
 }
 
