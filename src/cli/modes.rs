@@ -44,11 +44,10 @@ use super::vocabulary::Vocabulary;
 /// it, whose quantities are all given by --set.
 ///
 /// Eigenvalues are in 1/s, one of each pair of conjugates: the real part is the growth, the imaginary
-/// part the circular frequency. Quantities are in SI units, angles in radians (`alpha_g_deg` in degrees), frequencies in rad/s
-/// (`f_x` in hertz), derivatives per radian;
-/// numbers are decimals or fractions. Whether the section is stable is decided in exact arithmetic for
-/// the numbers as they are written; eigenvalues and the bounds of their errors are those of the section
-/// whose quantities are the doubles nearest to them.
+/// part the circular frequency. Quantities are in SI units, angles in radians (`alpha_g_deg` in degrees),
+/// frequencies in rad/s (`f_x` in hertz), derivatives per radian; numbers are decimals or fractions. Whether
+/// the section is stable is decided in exact arithmetic for the numbers as they are written; eigenvalues and
+/// the bounds of their errors are those of the section whose quantities are the doubles nearest to them.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {

@@ -218,11 +218,14 @@ impl Specification {
     }
 }
 
+/// Elements of a ring by name.
+type Elements = Vec<(String, Fraction)>;
+
 /// The outputs in normal form, entry by entry, and what is said of each.
 fn outputs(
     evaluator: &Evaluator,
     elaborator: &mut Elaborator,
-) -> Result<(Vec<(String, Fraction)>, Vec<Quantity>), Refusal> {
+) -> Result<(Elements, Vec<Quantity>), Refusal> {
     let (mut outputs, mut shown) = (Vec::new(), Vec::new());
     for output in &evaluator.outputs {
         let value = elaborator.value(&output.expression);
