@@ -45,3 +45,33 @@ fn a_case_with_aerodynamic_stiffness_has_no_map() {
         "{err}"
     );
 }
+
+#[test]
+fn coefficients_that_are_set_count_everywhere_on_the_map() {
+    let folder = folder("validity_set");
+    let (case, table) = (folder.join("detuned.toml"), folder.join("formulas.csv"));
+    let text = std::fs::read_to_string(&case).expect("a case");
+    std::fs::write(&case, text.replace("step = 0.5", "step = 20")).expect("a case");
+    let set = [
+        "C_D=1", "C_L=0.2", "C_M=0.1", "dC_D=0", "dC_L=-3", "dC_M=0.2",
+    ];
+    let set: Vec<&str> = set.iter().flat_map(|own| ["--set", own]).collect();
+    let map = || {
+        let first = ["validity", case.to_str().unwrap(), "--format", "json"];
+        let (status, out, err) = run(&[&first[..], &set].concat());
+        assert_eq!(status, Some(0), "{err}");
+        out
+    };
+    let before = map();
+    // Nothing is left of the table but its angles.
+    let text = std::fs::read_to_string(&table).expect("a table");
+    let other = text
+        .lines()
+        .enumerate()
+        .map(|(line, own)| match own.split_once(',') {
+            Some((angle, _)) if line > 1 => format!("{angle},0.5,1.5,{}\n", line % 7),
+            _ => format!("{own}\n"),
+        });
+    std::fs::write(&table, other.collect::<String>()).expect("a table");
+    assert_eq!(map(), before);
+}
