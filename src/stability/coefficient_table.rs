@@ -40,7 +40,7 @@ pub use self::row::Row;
 /// assert_eq!(table.rows()[1].lift, 0.1);
 ///
 /// let error = CoefficientTable::read("table.csv", "alpha_deg,CL,CD\n").unwrap_err();
-/// assert!(error.to_string().starts_with("table.csv:1: the column CM is missing"));
+/// assert!(error.to_string().starts_with("table.csv:1: no column means CM"));
 /// # Ok::<(), sextic::stability::input::InputError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]

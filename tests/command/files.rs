@@ -114,11 +114,7 @@ fn messages_quote_a_line_at_most() {
     }
     std::fs::write(&own, &case).expect("a case");
     for (old, new, said) in [
-        (
-            "alpha_deg",
-            format!("a{long}"),
-            "the column alpha_deg is missing",
-        ),
+        ("alpha_deg", format!("a{long}"), "no column means alpha_deg"),
         ("\n2,", format!("\n{long}x,"), "is no number"),
         ("\n2,", format!("\n{long},"), "is no number"),
     ] {

@@ -33,7 +33,10 @@ pub(super) const SLOPES: [&str; 3] = ["dCD", "dCL", "dCM"];
 pub(super) const ERRORS: [&str; 3] = ["CD_error", "CL_error", "CM_error"];
 
 /// How the first row names the columns.
-const HELP: &str = "the first row names the columns alpha_deg, CL, CD, CM, separated by commas";
+const HELP: &str = "the first row that is no comment names the columns alpha_deg, CL, CD, CM";
+
+/// So many columns of a heading are named.
+const MOST_NAMED: usize = 12;
 
 /// Where the columns stand.
 #[derive(Clone, Debug)]
@@ -179,7 +182,15 @@ fn missing(place: &Place, heading: &[String], name: &str, names: &Names) -> Inpu
     });
     let (what, mut help) = match near {
         Some((own, help)) => (format!("there is no column `{}`", quoted(own)), help),
-        None => (format!("the column {name} is missing"), HELP.to_string()),
+        None => {
+            let there: Vec<String> = heading
+                .iter()
+                .take(MOST_NAMED)
+                .map(|own| quoted(own))
+                .collect();
+            let what = format!("no column means {name}; there are {}", there.join(", "));
+            (what, HELP.to_string())
+        }
     };
     if heading.iter().any(|own| unknown(&own)) {
         help += &format!(
