@@ -36,6 +36,13 @@ pub fn read_foreign_text(
         let units = rest.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
         char::decode_utf16(units).collect::<Result<String, _>>()
     };
+    // How the files of spreadsheets begin: archives, and what was written before these.
+    if bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"\xd0\xcf\x11\xe0") {
+        return Err(wrong(
+            &format!("`{}` is a spreadsheet and no text", shown(path)),
+            "save its sheet as CSV, and name that file",
+        ));
+    }
     let decoded = match bytes.as_slice() {
         [0xff, 0xfe, rest @ ..] => Some(sixteen(rest, u16::from_le_bytes)),
         [0xfe, 0xff, rest @ ..] => Some(sixteen(rest, u16::from_be_bytes)),

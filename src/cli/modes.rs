@@ -9,11 +9,12 @@ use sextic_codegen::language::literal::Decimal;
 
 use crate::algebra::number::Rational;
 use crate::compile::fixed::{Fixed, number_of};
-use crate::report::modes::{ModeFound, ModesFound, Moving, Subject};
+use crate::report::modes::{ModeFound, ModesFound, Moving, Reading, Subject};
 use crate::report::{json, text};
 use crate::stability::case::Case;
 use crate::stability::closed_form::{ClosedForm, closed_form};
 use crate::stability::coefficient_table::CoefficientTable;
+use crate::stability::comparison::Open;
 use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
 use crate::stability::error::StabilityError;
 use crate::stability::exact_modes::ExactModes;
@@ -124,6 +125,8 @@ Members of --format json:
   s3d          -4 m max(re)/(rho D U), or null without wind; s3d_error, the bound of its error
   verdict      stable, unstable or undecided, with its reason
   diverges     whether the stiffness of the turn is below 0: else what is unstable gallops
+  coefficients of a case: C_D, C_L, C_M and their derivatives per radian, as the section has them
+  within_errors  of a case with errors: verdict and s3d for all coefficients within them
   warnings     what speaks against the method for this section, and what was given in vain
 
 Examples:
@@ -184,12 +187,16 @@ fn of_case(arguments: &Arguments, path: &Path) -> Result<ModesFound, Outcome> {
     let set = arguments.set.iter().chain(&arguments.alpha).cloned();
     let (mut case, table) = case_and_table(path, &set.collect::<Vec<_>>(), &[])?;
     case.parameters.aerodynamic_stiffness |= arguments.aerodynamic_stiffness;
-    let section = section_of(&case, &table)?;
-    by_method(arguments, &section, &ExactSection::from(&section))
+    let (section, reading) = at_its_angle(&case, &table)?;
+    let found = by_method(arguments, &section, &ExactSection::from(&section))?;
+    Ok(ModesFound {
+        reading: Some(reading),
+        ..found
+    })
 }
 
-/// The section of a case at its only angle.
-fn section_of(case: &Case, table: &CoefficientTable) -> Result<Section, Outcome> {
+/// The section of a case at its only angle, and what its table gives there.
+fn at_its_angle(case: &Case, table: &CoefficientTable) -> Result<(Section, Reading), Outcome> {
     let angle = case.angles.from;
     if case.angles.to > angle {
         return Err(wrong(
@@ -197,15 +204,23 @@ fn section_of(case: &Case, table: &CoefficientTable) -> Result<Section, Outcome>
             "name one of them in degrees: `--alpha 68.5`",
         ));
     }
-    let curves = CoefficientCurves::new(table, case.interpolation);
-    let curves = curves.map_err(|error| super::case::refuse(&error))?;
+    let refuse = |error| super::case::refuse(&error);
+    let curves = CoefficientCurves::new(table, case.interpolation).map_err(refuse)?;
     let coefficients = curves.at(angle).map_err(|outside| {
         wrong(
             &format!("{}: {outside}", table.file()),
             "name an angle of the table with `--alpha`",
         )
     })?;
-    case.section(angle, coefficients).map_err(impossible)
+    let section = case.section(angle, coefficients).map_err(impossible)?;
+    let open = Open::of(case, table).map_err(refuse)?;
+    let errors = open.filter(Open::has_errors);
+    let reading = Reading {
+        angle,
+        coefficients: section.parameters().forces.coefficients().copied(),
+        within_errors: errors.map(|own| own.tolerance(angle, &section)),
+    };
+    Ok((section, reading))
 }
 
 fn impossible(error: StabilityError) -> Outcome {
@@ -247,6 +262,7 @@ fn of_system(arguments: &Arguments) -> Result<ModesFound, Outcome> {
         damping_coefficient: None,
         verdict: instance.verdict(),
         diverges: instance.diverges() == Some(true),
+        reading: None,
         warnings: Vec::new(),
     })
 }
@@ -405,6 +421,7 @@ fn by_form(
         damping_coefficient: damping,
         verdict,
         diverges: false,
+        reading: None,
         warnings: form.warnings.iter().map(ToString::to_string).collect(),
     })
 }
@@ -452,6 +469,7 @@ fn by_spectrum(
         damping_coefficient: damping.map(|(damping, error)| (damping, Some(error))),
         verdict,
         diverges: false,
+        reading: None,
         warnings,
     }
 }

@@ -18,7 +18,7 @@ use super::Outcome;
 use super::case::{refuse, set_case_and_files};
 use super::file::{promising, spare, write_made};
 use super::generate::FixedParser;
-use super::output::{complain, finish};
+use super::output::{complain, finish, wrong};
 use super::source::{Audited, audit_all};
 use super::speeds::USUAL_HIGHEST;
 
@@ -71,6 +71,15 @@ Exit status:
 
 /// Writes the report.
 pub fn run(arguments: &Arguments) -> Outcome {
+    let document = arguments.document.as_deref();
+    if let Some(case) = document.filter(|own| own.ends_with(".toml")) {
+        return wrong(
+            &format!("{case} is a case and no document"),
+            &format!(
+                "`sextic report --case {case} --only-case --out case.html` is a page about it alone"
+            ),
+        );
+    }
     // The case is read first: it is quickly refused.
     let case = arguments.case.as_ref().map(|path| {
         let (case, table, files) =

@@ -106,6 +106,8 @@ or a number of which no digit is certain):
   doubles: by the errors, or by exact arithmetic
   mode, frequency_hz: number and frequency of the mode with the least damping
   s_mode_1, frequency_hz_mode_1 and so on: S and frequency of every mode
+  C_D, C_L, C_M, dC_D, dC_L, dC_M: the coefficients as they are read between the rows of the table,
+  and their derivatives per radian
   within_errors, s3d_least, s3d_most, where the coefficients have errors: the verdict for all of
   them, and between which numbers S is then
 

@@ -48,12 +48,11 @@ impl<'a> Line<'a> {
 type Spelling = fn(&Line) -> Option<String>;
 
 /// The first that is found counts.
-const SPELLINGS: [Spelling; 14] = [
+const SPELLINGS: [Spelling; 13] = [
     comment,
     end,
     approximation,
     transposition,
-    nested_rows,
     product_of_units,
     unit_of_number,
     loose_replacement,
@@ -101,15 +100,6 @@ fn transposition(line: &Line) -> Option<String> {
     let is_prime = line.marked == "'" && line.before.ends_with([']', ')']);
     (is_method || is_power || is_prime)
         .then(|| "a transposed matrix is written `transpose(A)`".to_string())
-}
-
-fn nested_rows(line: &Line) -> Option<String> {
-    let letters = line.marked.chars();
-    let blanks_out: String = letters.filter(|own| !own.is_whitespace()).collect();
-    blanks_out.contains("[[").then(|| {
-        "rows of a matrix are separated by semicolons, without brackets of their own: `[a, b; f, g]`"
-            .to_string()
-    })
 }
 
 fn product_of_units(line: &Line) -> Option<String> {

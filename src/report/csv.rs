@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::stability::comparison::{Cause, Comparison, angle};
+use crate::stability::forces::Coefficients;
 use crate::stability::system::critical::Ranges;
 use crate::stability::validity::{Form, Validity};
 
@@ -13,6 +14,8 @@ use super::stability::{bound, certain, decimal};
 /// A row an angle: S by every method, bounds of the errors, the verdict, the mode with the least damping, and S
 /// and the frequency in Hz of every mode. An empty cell is a method that does not apply, or a mode that is not
 /// there.
+///
+/// Then the coefficients and their derivatives per radian, as the curves through the table have them.
 ///
 /// Where the coefficients have errors: what is certain for all within them, and between which numbers S is then.
 ///
@@ -37,6 +40,11 @@ pub fn comparison(comparison: &Comparison) -> String {
         heading.push(format!("s_mode_{label}"));
         heading.push(format!("frequency_hz_mode_{label}"));
     }
+    heading.extend(
+        Coefficients::<f64>::default()
+            .named()
+            .map(|(name, _)| name.to_string()),
+    );
     let errors = comparison.within.as_ref();
     let errors = errors.filter(|own| own.cause == Cause::Errors);
     if errors.is_some() {
@@ -63,6 +71,10 @@ pub fn comparison(comparison: &Comparison) -> String {
             cells.push(optional(mode.map(|mode| certain(mode.damping))));
             cells.push(optional(mode.map(|mode| decimal(mode.frequency, 6))));
         }
+        cells.extend(match &point.coefficients {
+            Some(own) => own.named().map(|(_, value)| decimal(value, 9)),
+            None => Default::default(),
+        });
         if let Some(within) = errors {
             let own = within.tolerances[place];
             cells.push(own.certainty.name().to_string());

@@ -3,6 +3,8 @@
 use num_complex::Complex;
 
 use crate::stability::coordinate::Coordinate;
+use crate::stability::forces::Coefficients;
+use crate::stability::tolerance::Tolerance;
 use crate::stability::verdict::Verdict;
 
 /// What a method says of a section or a system.
@@ -23,8 +25,21 @@ pub struct ModesFound {
     pub verdict: Verdict,
     /// Whether it diverges, with proof: else what grows gallops.
     pub diverges: bool,
+    /// What a table gives there, for a section of a case.
+    pub reading: Option<Reading>,
     /// What speaks against the answer, and what was given in vain.
     pub warnings: Vec<String>,
+}
+
+/// What a table gives at the angle of a section.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// α, in degrees.
+    pub angle: f64,
+    /// The coefficients that the section has there; `None` where S_a is set in place of them.
+    pub coefficients: Option<Coefficients>,
+    /// What is certain for all coefficients within their errors, if they have some.
+    pub within_errors: Option<Tolerance>,
 }
 
 /// What modes are found of.

@@ -13,7 +13,7 @@ pub(super) use following::{Following, Modes, modes_of};
 pub use point::Point;
 pub use range::{AngleRange, UnstableRange, angle, listed};
 pub use value::Value;
-pub use within::{Cause, Within};
+pub use within::{Cause, Open, Within};
 
 use rayon::prelude::*;
 

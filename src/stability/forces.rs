@@ -63,6 +63,30 @@ impl<T> Coefficients<T> {
     }
 }
 
+impl Coefficients {
+    /// The coefficients and their derivatives by the names of a command.
+    pub fn named(&self) -> [(&'static str, f64); 6] {
+        [
+            ("C_D", self.drag),
+            ("C_L", self.lift),
+            ("C_M", self.moment),
+            ("dC_D", self.drag_slope),
+            ("dC_L", self.lift_slope),
+            ("dC_M", self.moment_slope),
+        ]
+    }
+}
+
+impl<T> Forces<T> {
+    /// The coefficients, if they are given.
+    pub fn coefficients(&self) -> Option<&Coefficients<T>> {
+        match self {
+            Forces::Coefficients(own) => Some(own),
+            Forces::ScaledDamping(_) => None,
+        }
+    }
+}
+
 impl<T> From<Coefficients<T>> for Forces<T> {
     fn from(coefficients: Coefficients<T>) -> Self {
         Forces::Coefficients(coefficients)

@@ -289,3 +289,36 @@ fn a_section_without_a_case_takes_degrees_and_hertz() {
         modes(&radians)
     );
 }
+
+#[test]
+fn the_modes_of_a_case_show_its_coefficients_and_what_its_errors_leave_open() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/derivations/cases/scattered.toml"
+    );
+    let read = |arguments: &[&str]| -> Value {
+        let (status, out, errors) = run(&[arguments, &["--format", "json"]].concat());
+        assert_eq!(status, Some(0), "{arguments:?}: {errors}");
+        serde_json::from_str(&out).expect("JSON")
+    };
+    let all = read(&["stability", path]);
+    let points = all["points"].as_array().expect("points");
+    let point = points
+        .iter()
+        .find(|own| own["within_errors"]["verdict"] == "stable")
+        .expect("an angle at which all are stable");
+    let angle = point["alpha_deg"].as_f64().expect("an angle").to_string();
+    let found = read(&["modes", path, "--alpha", &angle]);
+    assert_eq!(found["coefficients"], point["coefficients"]);
+    assert_eq!(found["within_errors"], point["within_errors"]);
+    let (_, out, _) = run(&["modes", path, "--alpha", &angle]);
+    let line = "For all coefficients within their errors: it is stable for all of them";
+    assert!(out.contains(line), "{out}");
+    assert!(out.starts_with(&format!("At {angle}°: C_D ")), "{out}");
+    // What is set has no error.
+    let set = "C_D=1 C_L=0 C_M=0 dC_D=0 dC_L=0 dC_M=0";
+    let set: Vec<&str> = set.split(' ').flat_map(|own| ["--set", own]).collect();
+    let found = read(&[&["modes", path, "--alpha", &angle], &set[..]].concat());
+    assert_eq!(found["coefficients"]["C_D"], 1.0);
+    assert_eq!(found["within_errors"]["verdict"], "stable");
+}

@@ -3,6 +3,7 @@
 use super::Tree;
 use super::numeral::{number, superscript};
 use crate::language::cursor::{Cursor, Parsed};
+use crate::language::diagnostic::Diagnostic;
 use crate::language::lexer::TokenKind;
 use crate::language::syntax::{BinaryOperator, Expression, Name, Node};
 
@@ -129,6 +130,15 @@ impl Cursor<'_> {
             height = height.max(row_height);
         }
         self.expect_closing(TokenKind::CloseSquare, &open)?;
+        if let [row] = rows.as_slice()
+            && is_nested(row)
+        {
+            let span = self.since(open.start);
+            return Err(Diagnostic::syntax(span, "a row consists of rows").with_help(
+                "rows of a matrix are separated by semicolons, without brackets of their own: `[a, b; f, g]`; \
+                 a single row is written `[a, b, f, g]`",
+            ));
+        }
         self.grow(open.start, height, Node::Matrix(rows))
     }
 
@@ -145,6 +155,12 @@ impl Cursor<'_> {
             }
         }
     }
+}
+
+/// Whether entries are rows, which elsewhere are rows of one matrix, and here would be one row.
+fn is_nested(entries: &[Expression]) -> bool {
+    let is_row = |own: &Expression| matches!(&own.node, Node::Matrix(rows) if rows.len() == 1);
+    entries.len() > 1 && entries.iter().all(is_row)
 }
 
 fn primes_in(character: char) -> u32 {

@@ -5,7 +5,8 @@ use serde::Serialize;
 
 use crate::report::modes::{ModeFound, ModesFound, Moving, Shape};
 
-use super::pairs::Pairs;
+use super::pairs::{Pairs, coefficients};
+use super::stability::{WithinErrors, within_errors};
 use super::write;
 
 #[derive(Serialize)]
@@ -17,6 +18,10 @@ struct Found<'a> {
     verdict: &'a str,
     diverges: bool,
     reason: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    coefficients: Option<Pairs<f64>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    within_errors: Option<WithinErrors<'a>>,
     warnings: &'a [String],
 }
 
@@ -42,6 +47,7 @@ struct Entry {
 /// nearest to what was given: what rounding may cost, and for a closed form also what it leaves out; `null`
 /// where there is no bound. `verdict` is of the numbers as they were given.
 pub fn modes(found: &ModesFound) -> String {
+    let reading = found.reading.as_ref();
     write(&Found {
         method: found.method,
         eigenvalues: found.modes.iter().map(eigenvalue).collect(),
@@ -50,6 +56,10 @@ pub fn modes(found: &ModesFound) -> String {
         verdict: found.verdict.name(),
         diverges: found.diverges,
         reason: found.verdict.to_string(),
+        coefficients: reading
+            .and_then(|own| own.coefficients.as_ref())
+            .map(coefficients),
+        within_errors: reading.and_then(|own| own.within_errors).map(within_errors),
         warnings: &found.warnings,
     })
 }

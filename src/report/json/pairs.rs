@@ -4,7 +4,7 @@ use serde::{Serialize, Serializer};
 
 use crate::language::syntax::{Expression, Name};
 #[cfg(feature = "stability")]
-use crate::stability::case::Case;
+use crate::stability::{case::Case, forces::Coefficients};
 
 use super::ascii;
 
@@ -33,6 +33,17 @@ pub fn definitions(definitions: &[(Expression, Expression)]) -> Pairs {
     Pairs(
         definitions
             .map(|(left, right)| (ascii(left), ascii(right)))
+            .collect(),
+    )
+}
+
+/// Coefficients and their derivatives by name.
+#[cfg(feature = "stability")]
+pub fn coefficients(own: &Coefficients) -> Pairs<f64> {
+    let named = own.named().into_iter();
+    Pairs(
+        named
+            .map(|(name, value)| (name.to_string(), value))
             .collect(),
     )
 }

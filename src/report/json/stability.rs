@@ -10,7 +10,7 @@ use crate::stability::comparison::{
 use crate::stability::input::Remark;
 use crate::stability::tolerance::Tolerance;
 
-use super::pairs::{Pairs, is_empty, settings};
+use super::pairs::{Pairs, coefficients, is_empty, settings};
 use super::write;
 
 #[derive(Serialize)]
@@ -31,6 +31,7 @@ struct Compared<'a> {
 #[derive(Serialize)]
 struct AtAngle<'a> {
     alpha_deg: f64,
+    coefficients: Option<Pairs<f64>>,
     s3d: ByMethod,
     verdict: &'a str,
     diverges: bool,
@@ -43,7 +44,7 @@ struct AtAngle<'a> {
 
 /// What is certain for all coefficients within their errors.
 #[derive(Serialize)]
-struct WithinErrors<'a> {
+pub(super) struct WithinErrors<'a> {
     verdict: &'a str,
     s3d: Option<[f64; 2]>,
 }
@@ -141,6 +142,7 @@ fn tolerance(comparison: &Comparison, place: usize) -> Option<Tolerance> {
 fn at_angle<'a>(point: &'a Point, tolerance: Option<Tolerance>, case: &Case) -> AtAngle<'a> {
     AtAngle {
         alpha_deg: angle(point.angle),
+        coefficients: point.coefficients.as_ref().map(coefficients),
         s3d: ByMethod {
             exact: bounded(point.exact),
             companion: point.companion.map(bounded),
@@ -151,11 +153,15 @@ fn at_angle<'a>(point: &'a Point, tolerance: Option<Tolerance>, case: &Case) -> 
         diverges: point.diverges,
         reason: point.verdict.to_string(),
         modes: point.modes.iter().map(|own| one_mode(own, case)).collect(),
-        within_errors: tolerance.map(|own| WithinErrors {
-            verdict: own.certainty.name(),
-            s3d: own.damping,
-        }),
+        within_errors: tolerance.map(within_errors),
         warnings: warnings(point),
+    }
+}
+
+pub(super) fn within_errors<'a>(own: Tolerance) -> WithinErrors<'a> {
+    WithinErrors {
+        verdict: own.certainty.name(),
+        s3d: own.damping,
     }
 }
 

@@ -2,9 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use crate::report::modes::{ModeFound, ModesFound, Moving, Shape};
+use crate::report::modes::{ModeFound, ModesFound, Moving, Reading, Shape};
 use crate::report::stability::{bound_with, decimal, decimals, is_unknown, power, significant};
-use crate::stability::comparison::Value;
+use crate::stability::comparison::{Value, angle};
+use crate::stability::tolerance::{Certainty, Tolerance};
 
 /// Decimals where no error is known.
 const USUAL_DECIMALS: i32 = 9;
@@ -15,6 +16,9 @@ const MOST_DECIMALS: i32 = 15;
 /// Digits of what a formula gives, which is shown however far it is off.
 const FORMULA_DIGITS: usize = 6;
 
+/// Digits of coefficients.
+const COEFFICIENT_DIGITS: usize = 6;
+
 /// Digits of what is computed, but not certain.
 const UNKNOWN_DIGITS: usize = 2;
 
@@ -24,7 +28,10 @@ const SHAPE_DECIMALS: i32 = 4;
 /// A line a mode: λ, its error, and the frequency in Hz if it oscillates, with its shape below; then S_3D, the
 /// verdict and the warnings.
 pub fn modes(found: &ModesFound) -> String {
-    let mut text = String::new();
+    let mut text = found
+        .reading
+        .as_ref()
+        .map_or_else(String::new, coefficients);
     for (place, mode) in found.modes.iter().enumerate() {
         let ModeFound {
             value,
@@ -66,10 +73,53 @@ pub fn modes(found: &ModesFound) -> String {
         found.subject.name(),
         verdict.name()
     );
+    let errors = found.reading.as_ref();
+    text += &errors
+        .and_then(|own| own.within_errors)
+        .map_or_else(String::new, within_errors);
     for warning in &found.warnings {
         text += &format!("Warning: {warning}\n");
     }
     text
+}
+
+/// `At 68.5°: C_D 1.21, C_L -0.32, C_M 0.011; dC_D 0.4, dC_L -2.1, dC_M 0.03 per radian`
+fn coefficients(reading: &Reading) -> String {
+    let Some(own) = &reading.coefficients else {
+        return String::new();
+    };
+    let named = own.named();
+    let written = |part: &[(&str, f64)]| {
+        let one = |(name, value): &(&str, f64)| {
+            format!("{name} {}", significant(*value, COEFFICIENT_DIGITS))
+        };
+        part.iter().map(one).collect::<Vec<_>>().join(", ")
+    };
+    let (values, slopes) = named.split_at(3);
+    format!(
+        "At {}°: {}; {} per radian\n",
+        angle(reading.angle),
+        written(values),
+        written(slopes)
+    )
+}
+
+/// What is certain for all coefficients, with the ends of S.
+fn within_errors(own: Tolerance) -> String {
+    let verdict = match own.certainty {
+        Certainty::Stable => "it is stable for all of them",
+        Certainty::Unstable => "it is unstable for all of them",
+        Certainty::Depends => "its stability depends on them",
+        Certainty::Open => "this is not decided",
+    };
+    let [least, most] = match own.damping {
+        Some(ends) => ends,
+        None => return format!("For all coefficients within their errors: {verdict}\n"),
+    };
+    // Rounded outwards.
+    let [least, most] =
+        [(least * 1e6).floor(), (most * 1e6).ceil()].map(|end| decimal(end / 1e6, 6));
+    format!("For all coefficients within their errors: {verdict}, S_3D from {least} to {most}\n")
 }
 
 /// `0.845210 Hz`, as far as it is certain; what does not oscillate has none.
@@ -165,6 +215,7 @@ mod tests {
             damping_coefficient: Some((-16.8, Some(4e3 * error))),
             verdict: Verdict::Stable(Proof::Errors),
             diverges,
+            reading: None,
             warnings: Vec::new(),
         })
     }

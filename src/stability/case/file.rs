@@ -33,11 +33,11 @@ pub(super) struct File {
 #[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Errors {
-    #[serde(default, rename = "CD")]
+    #[serde(default, rename = "CD", alias = "C_D")]
     pub(super) drag: f64,
-    #[serde(default, rename = "CL")]
+    #[serde(default, rename = "CL", alias = "C_L")]
     pub(super) lift: f64,
-    #[serde(default, rename = "CM")]
+    #[serde(default, rename = "CM", alias = "C_M")]
     pub(super) moment: f64,
 }
 

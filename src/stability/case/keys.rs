@@ -218,17 +218,55 @@ pub(super) fn not_read(file: &str, text: &str, error: &toml::de::Error) -> Input
         None => Place::file(file),
     };
     let message = error.message().lines().collect::<Vec<_>>().join("; ");
+    if let Some((what, help)) = other_kind(&message) {
+        return InputError::new(place, shortened(&what), help);
+    }
     let help = if message.starts_with("missing field") {
         "add it below this line"
+    } else if message.starts_with("unknown field") {
+        "write one of these"
     } else if message.starts_with("unknown variant") {
         "write one of these, in quotation marks"
-    } else if message.ends_with("expected a boolean") {
-        "write true or false, without quotation marks"
     } else {
         "write `name = value` below [table]: text in quotation marks, numbers with a decimal point and without \
          a unit"
     };
     InputError::new(place, shortened(&message), help)
+}
+
+/// What serde calls a kind of value, what a person calls it, and how it is written.
+const KINDS: [[&str; 3]; 6] = [
+    [
+        "f64",
+        "a number",
+        "write a number without quotation marks and without a unit, such as 3.5",
+    ],
+    [
+        "a boolean",
+        "true or false",
+        "write true or false, without quotation marks",
+    ],
+    ["a string", "text", "write text in quotation marks"],
+    [
+        "a sequence",
+        "a list",
+        "write a list, such as [\"x\", \"y\"]",
+    ],
+    [
+        "struct Errors",
+        "a table of errors",
+        "write errors = { CD = 0.01, CL = 0.02, CM = 0.005 }",
+    ],
+    ["struct Steps", "the steps of the sweep", SWEEP],
+];
+
+/// A value of another kind than is meant, and how that is written.
+fn other_kind(message: &str) -> Option<(String, &'static str)> {
+    let (found, expected) = message
+        .strip_prefix("invalid type: ")?
+        .split_once(", expected ")?;
+    let [_, meant, help] = KINDS.iter().find(|[name, ..]| *name == expected)?;
+    Some((format!("{found} stands where {meant} is meant"), help))
 }
 
 /// The line of a byte, from 1.

@@ -9,6 +9,7 @@ use crate::stability::coordinate::Coordinate;
 use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
 use crate::stability::error::StabilityError;
 use crate::stability::exact_section::ExactSection;
+use crate::stability::forces::Coefficients;
 use crate::stability::section::Section;
 use crate::stability::sensitivity::weakened_by;
 use crate::stability::uniform_form::Order;
@@ -19,6 +20,8 @@ use crate::stability::verdict::{Verdict, verdict};
 pub struct Point {
     /// α, in degrees.
     pub angle: f64,
+    /// The coefficients there; `None` where S_a is set in place of them.
+    pub coefficients: Option<Coefficients>,
     /// S by the exact eigenvalues: those of the state matrix, which the exact modes find where they can.
     pub exact: Value,
     /// Whether the section is stable, with proof.
@@ -92,6 +95,7 @@ fn point(
     let ratio = section.relative_wind() * scaled_damping / section.eccentricity();
     let point = Point {
         angle,
+        coefficients: section.parameters().forces.coefficients().copied(),
         // No wind is refused before.
         exact: value(spectrum).ok_or(StabilityError::OutOfRange)?,
         verdict: verdict(section, spectrum),

@@ -86,46 +86,82 @@ impl Within {
 /// So many standard deviations may be off.
 const DEVIATIONS: f64 = 2.0;
 
-/// By the errors of a table, or by its scatter where there is some; `None` where the coefficients are as they are.
+/// What coefficients a table leaves open, and why.
+pub struct Open<'a> {
+    case: &'a Case,
+    cause: Cause,
+    curves: CoefficientCurves,
+}
+
+impl<'a> Open<'a> {
+    /// By the errors of a table, or by its scatter where there is some; `None` where the coefficients are as they are.
+    ///
+    /// # Errors
+    ///
+    /// If the errors of so many rows are not followed through splines.
+    pub fn of(case: &'a Case, table: &CoefficientTable) -> Result<Option<Self>, InputError> {
+        let cause = match (table.has_errors(), scatter(table)) {
+            (true, _) => Cause::Errors,
+            // Of derivatives that the table gives no scatter is known.
+            (false, _) if case.errors.is_some() || table.has_slopes() => return Ok(None),
+            (false, [0.0, 0.0, 0.0]) => return Ok(None),
+            (false, found) => Cause::Scatter(found),
+        };
+        let open = match cause {
+            Cause::Errors => table.clone(),
+            Cause::Scatter(found) => table.clone().with_errors(found.map(|own| DEVIATIONS * own)),
+        };
+        let curves = CoefficientCurves::new(&open, case.interpolation)?;
+        match (cause, curves.follows_errors()) {
+            (_, true) => Ok(Some(Open {
+                case,
+                cause,
+                curves,
+            })),
+            (Cause::Scatter(_), false) => Ok(None),
+            (Cause::Errors, false) => Err(too_many(table)),
+        }
+    }
+
+    /// Whether the table or the case gives errors.
+    pub fn has_errors(&self) -> bool {
+        self.cause == Cause::Errors
+    }
+
+    /// What is certain of a section, which is that at an angle in degrees.
+    pub fn tolerance(&self, angle: f64, section: &Section) -> Tolerance {
+        let errors = match self.cause {
+            Cause::Errors => self.curves.errors_at(angle),
+            Cause::Scatter(_) => self.curves.scatter_at(angle),
+        };
+        // The section has been found there.
+        let errors = self.case.errors_of_table(errors.unwrap_or_default());
+        tolerance(section, &errors).unwrap_or(Tolerance {
+            certainty: Certainty::Open,
+            damping: None,
+        })
+    }
+}
+
+/// What is certain at angles in degrees, if the table leaves coefficients open.
 pub(super) fn within(
     case: &Case,
     table: &CoefficientTable,
     angles: &[f64],
     section_at: &(impl Fn(f64) -> Result<Section, InputError> + Sync),
 ) -> Result<Option<Within>, InputError> {
-    let cause = match (table.has_errors(), scatter(table)) {
-        (true, _) => Cause::Errors,
-        // Of derivatives that the table gives no scatter is known.
-        (false, _) if case.errors.is_some() || table.has_slopes() => return Ok(None),
-        (false, [0.0, 0.0, 0.0]) => return Ok(None),
-        (false, found) => Cause::Scatter(found),
+    let Some(open) = Open::of(case, table)? else {
+        return Ok(None);
     };
-    let open = match cause {
-        Cause::Errors => table.clone(),
-        Cause::Scatter(found) => table.clone().with_errors(found.map(|own| DEVIATIONS * own)),
-    };
-    let curves = CoefficientCurves::new(&open, case.interpolation)?;
-    match (cause, curves.follows_errors()) {
-        (_, true) => {}
-        (Cause::Scatter(_), false) => return Ok(None),
-        (Cause::Errors, false) => return Err(too_many(table)),
-    }
-    let at = |&angle: &f64| -> Result<Tolerance, InputError> {
-        let section = section_at(angle)?;
-        let errors = match cause {
-            Cause::Errors => curves.errors_at(angle),
-            Cause::Scatter(_) => curves.scatter_at(angle),
-        };
-        // The section has been found there.
-        let errors = case.errors_of_table(errors.unwrap_or_default());
-        let open = Tolerance {
-            certainty: Certainty::Open,
-            damping: None,
-        };
-        Ok(tolerance(&section, &errors).unwrap_or(open))
-    };
-    let tolerances = angles.par_iter().map(at).collect::<Result<_, _>>()?;
-    Ok(Some(Within { cause, tolerances }))
+    let at = |&angle: &f64| Ok(open.tolerance(angle, &section_at(angle)?));
+    let tolerances = angles
+        .par_iter()
+        .map(at)
+        .collect::<Result<_, InputError>>()?;
+    Ok(Some(Within {
+        cause: open.cause,
+        tolerances,
+    }))
 }
 
 fn too_many(table: &CoefficientTable) -> InputError {
