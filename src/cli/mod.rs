@@ -16,6 +16,8 @@ mod generate;
 mod match_coefficients;
 #[cfg(feature = "stability")]
 mod modes;
+#[cfg(feature = "stability")]
+mod mutate;
 mod new;
 mod output;
 #[cfg(feature = "stability")]
@@ -98,6 +100,8 @@ enum Command {
     Audit(audit::Arguments),
     Match(match_coefficients::Arguments),
     Show(show::Arguments),
+    #[cfg(feature = "stability")]
+    Mutate(mutate::Arguments),
     Generate(generate::Arguments),
     Evaluate(evaluate::Arguments),
     #[cfg(feature = "stability")]
@@ -140,6 +144,8 @@ pub fn run() -> ExitCode {
         Command::Audit(arguments) => audit::run(&arguments),
         Command::Match(arguments) => match_coefficients::run(&arguments),
         Command::Show(arguments) => show::run(&arguments),
+        #[cfg(feature = "stability")]
+        Command::Mutate(arguments) => mutate::run(&arguments),
         Command::Generate(arguments) => generate::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         #[cfg(feature = "stability")]

@@ -19,7 +19,7 @@ mod hidden;
 pub mod intent;
 mod keyword;
 pub mod label;
-mod lexer;
+pub(crate) mod lexer;
 pub(crate) mod line_end;
 pub(crate) mod look_alike;
 pub mod markdown;

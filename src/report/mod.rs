@@ -23,6 +23,8 @@ pub mod latex;
 pub mod markdown;
 #[cfg(feature = "stability")]
 pub mod modes;
+#[cfg(feature = "stability")]
+pub mod mutation;
 pub mod phrase;
 pub mod premises;
 #[cfg(feature = "stability")]

@@ -22,7 +22,7 @@ use crate::language::diagnostic::{Diagnostic, SourceFile, render};
 use crate::language::evaluator::Evaluator;
 use crate::language::mention::Mention;
 use crate::language::name::Aliases;
-use crate::language::syntax::{Name, Relation, Sign, Span};
+use crate::language::syntax::{Name, Relation, Sign, Span, Statement};
 use crate::language::system::System;
 
 use failed::FailedMatchings;
@@ -178,6 +178,31 @@ impl Audit {
         sources.find(|source| source.path == mistake.path)
     }
 
+    /// Its text.
+    ///
+    /// # Panics
+    ///
+    /// Never: an audit has read its document last.
+    pub fn source(&self) -> &SourceFile {
+        let last = self.sources.last();
+        last.expect("an audit has read its document last")
+    }
+
+    /// Whether it imports another document, also through others.
+    pub fn imports(&self, path: &str) -> bool {
+        path != self.path && self.sources.iter().any(|own| own.path == path)
+    }
+
+    /// The line on which one of its statements begins.
+    pub(super) fn line_of(&self, statement: &Statement) -> usize {
+        self.source().line_and_column(&statement.span).0
+    }
+
+    /// The spellings that it and its imports declare.
+    pub(super) fn aliases(&self) -> &Aliases {
+        &self.aliases
+    }
+
     /// The names that the document and its imports declare.
     pub fn names(&self) -> impl Iterator<Item = &Name> {
         let entries = self.elaborator.scope.entries();
@@ -230,10 +255,28 @@ pub fn audit_after(
     source: &SourceFile,
     library: &dyn Library,
 ) -> Result<Audit, Box<Rejected>> {
+    audit_some(earlier, source, library, None)
+}
+
+/// Some statements of documents: the path of each, and the line on which it begins.
+pub(super) type Part = BTreeSet<(String, usize)>;
+
+/// Reads some statements of a document and its imports, as if the others were not there; nothing where nothing can be
+/// read.
+pub(super) fn audit_part(source: &SourceFile, library: &dyn Library, part: &Part) -> Option<Audit> {
+    audit_some(&[], source, library, Some(part)).ok()
+}
+
+fn audit_some(
+    earlier: &[Audit],
+    source: &SourceFile,
+    library: &dyn Library,
+    part: Option<&Part>,
+) -> Result<Audit, Box<Rejected>> {
     let mut failed = FailedMatchings::new();
     // A matching that does not stand is refused from the beginning, so that nothing rests on it.
     let (mut reader, read, refusals, claims) = loop {
-        let mut reader = Reader::new(library, earlier, failed.clone());
+        let mut reader = Reader::new(library, earlier, failed.clone(), part);
         let mut read = reader.read(source)?;
         let refusals = reader.refusals.clone();
         let (claims, more) = reader.judge(&mut read);

@@ -6,3 +6,4 @@ pub mod audit;
 pub mod claim;
 pub mod explanation;
 pub mod judge;
+pub mod mutation;

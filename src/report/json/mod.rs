@@ -10,6 +10,8 @@ mod evaluation;
 mod matching;
 #[cfg(feature = "stability")]
 mod modes;
+#[cfg(feature = "stability")]
+mod mutation;
 mod pairs;
 #[cfg(feature = "stability")]
 mod ranges;
@@ -33,6 +35,8 @@ pub use evaluation::{evaluation, evaluators};
 pub use matching::matchings;
 #[cfg(feature = "stability")]
 pub use modes::modes;
+#[cfg(feature = "stability")]
+pub use mutation::mutations;
 #[cfg(feature = "stability")]
 pub use ranges::ranges;
 pub use shown::shown;

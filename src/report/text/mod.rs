@@ -14,6 +14,8 @@ mod generation;
 mod matching;
 #[cfg(feature = "stability")]
 mod modes;
+#[cfg(feature = "stability")]
+mod mutation;
 mod page;
 mod palette;
 mod prose;
@@ -37,6 +39,8 @@ pub use generation::{difference, generated};
 pub use matching::matching;
 #[cfg(feature = "stability")]
 pub use modes::modes;
+#[cfg(feature = "stability")]
+pub use mutation::mutations;
 #[cfg(feature = "stability")]
 pub use ranges::ranges;
 pub use shown::shown;

@@ -105,7 +105,7 @@ refute (3): x == y
     fn a_disagreement_costs_one_claim() {
         let source = SourceFile::new("a.md", DOCUMENT);
         let alone = audit(&source, &ShippedLibrary).expect("a document");
-        let mut reader = Reader::new(&ShippedLibrary, &[], FailedMatchings::new());
+        let mut reader = Reader::new(&ShippedLibrary, &[], FailedMatchings::new(), None);
         let mut read = reader.read(&source).expect("a document");
         read.findings[0].assertion.relation.right =
             read.findings[1].assertion.relation.right.clone();

@@ -31,7 +31,7 @@ use crate::verdict::judge::matching::MatchingCheck;
 
 use super::failed::{Failed, FailedMatchings};
 use super::refusal::{Reason, Refusals};
-use super::{Assumption, Audit, Declaration, Library, Place, Rejected, STEPS, Skipped};
+use super::{Assumption, Audit, Declaration, Library, Part, Place, Rejected, STEPS, Skipped};
 
 /// Reads documents into one scope.
 pub(super) struct Reader<'a> {
@@ -58,6 +58,8 @@ pub(super) struct Reader<'a> {
     pub(super) refusals: Refusals,
     /// Matchings that do not stand at points, as an earlier reading showed.
     failed: FailedMatchings,
+    /// The statements that are read, if not all are.
+    part: Option<&'a Part>,
     /// The statement that is being read.
     pub(super) here: Place,
     /// The texts that were read.
@@ -100,6 +102,7 @@ impl<'a> Reader<'a> {
         library: &'a dyn Library,
         earlier: &'a [Audit],
         failed: FailedMatchings,
+        part: Option<&'a Part>,
     ) -> Self {
         Reader {
             elaborator: Elaborator::new(Budget::new(STEPS)),
@@ -116,6 +119,7 @@ impl<'a> Reader<'a> {
             domain: Domain::default(),
             refusals: Refusals::default(),
             failed,
+            part,
             here: Place {
                 path: String::new(),
                 line: 1,
@@ -153,11 +157,18 @@ impl<'a> Reader<'a> {
         for (item, line) in items.into_iter().zip(lines) {
             self.step_to(source, line);
             match item {
+                Item::Statement(_) if !self.is_read() => {}
                 Item::Statement(statement) => self.step(&statement, source, &mut read),
                 Item::Unread(unread) => self.refuse(unread.diagnostic, &unread.intent),
             }
         }
         Ok(read)
+    }
+
+    /// Whether the statement that stands here belongs to what is read.
+    fn is_read(&self) -> bool {
+        let here = || (self.here.path.clone(), self.here.line);
+        self.part.is_none_or(|part| part.contains(&here()))
     }
 
     fn step_to(&mut self, source: &SourceFile, line: usize) {

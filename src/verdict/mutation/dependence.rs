@@ -1,0 +1,178 @@
+//! What statements of several documents build on.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::language::intent::Intent;
+use crate::language::syntax::{Name, Statement, StatementKind};
+use crate::verdict::audit::{Audit, Part};
+
+/// The statements of documents that import each other, and which of them each builds on.
+pub(super) struct Dependence {
+    statements: Vec<Dependent>,
+}
+
+/// A statement and what it builds on.
+struct Dependent {
+    /// The place of its document among all.
+    document: usize,
+    path: String,
+    /// The line on which it begins.
+    line: usize,
+    is_claim: bool,
+    is_import: bool,
+    needs: BTreeSet<usize>,
+}
+
+impl Dependence {
+    /// Of audited documents, with what each says.
+    pub(super) fn new(audits: &[Audit], documents: &[Vec<Statement>]) -> Self {
+        let mut statements = Vec::new();
+        let mut declared: Vec<BTreeMap<String, usize>> = Vec::new();
+        for (document, (audit, own)) in audits.iter().zip(documents).enumerate() {
+            let mut names = imported(audit, &audits[..document], &declared);
+            for statement in own {
+                let intent = Intent::of(statement);
+                let declares = intent.declares.iter().chain(&intent.compiled);
+                names.extend(declares.map(|name| (name.ascii.clone(), statements.len())));
+                statements.push(Dependent {
+                    document,
+                    path: audit.path.clone(),
+                    line: audit.line_of(statement),
+                    is_claim: is_claim(&statement.kind),
+                    is_import: matches!(statement.kind, StatementKind::Import { .. }),
+                    needs: mentioned(statement)
+                        .filter_map(|name| names.get(&name).copied())
+                        .collect(),
+                });
+            }
+            declared.push(names);
+        }
+        let mut dependence = Dependence { statements };
+        let all = documents.iter().flatten().enumerate();
+        let assumptions = all.filter(|(_, own)| matches!(own.kind, StatementKind::Assume { .. }));
+        for (place, _) in assumptions.collect::<Vec<_>>() {
+            dependence.assume(place);
+        }
+        dependence
+    }
+
+    /// What is assumed of a name counts wherever that is mentioned.
+    fn assume(&mut self, assumption: usize) {
+        for place in self.needed([assumption]) {
+            if place != assumption {
+                self.statements[place].needs.insert(assumption);
+            }
+        }
+    }
+
+    /// The statement that begins on a line of a document.
+    pub(super) fn on(&self, document: usize, line: usize) -> Option<usize> {
+        let mut all = self.statements.iter();
+        all.position(|own| (own.document, own.line) == (document, line))
+    }
+
+    /// What these statements build on, and themselves.
+    fn needed(&self, statements: impl IntoIterator<Item = usize>) -> BTreeSet<usize> {
+        let mut found = BTreeSet::new();
+        let mut open: Vec<usize> = statements.into_iter().collect();
+        while let Some(next) = open.pop() {
+            if found.insert(next) {
+                open.extend(&self.statements[next].needs);
+            }
+        }
+        found
+    }
+
+    /// The claims that build on a statement, those on the nearest lines of its document first.
+    fn claims_on(&self, statement: usize) -> Vec<usize> {
+        let own = &self.statements[statement];
+        let all = 0..self.statements.len();
+        let claims = all.filter(|place| self.statements[*place].is_claim);
+        let mut claims: Vec<usize> = claims
+            .filter(|place| self.needed([*place]).contains(&statement))
+            .collect();
+        claims.sort_by_key(|place| {
+            let claim = &self.statements[*place];
+            (
+                claim.document != own.document,
+                claim.document,
+                claim.line.abs_diff(own.line),
+            )
+        });
+        claims
+    }
+
+    /// What is judged after an edit of a statement, one part after the other: the nearest claims that build on it, so
+    /// many, then the others, then those of each other document; the places of the documents beside.
+    pub(super) fn parts(&self, statement: usize, first: usize) -> Vec<(usize, Part)> {
+        let claims = self.claims_on(statement);
+        let document = self.statements[statement].document;
+        let is_own = |place: &&usize| self.statements[**place].document == document;
+        let count = claims.iter().take_while(is_own).count();
+        let (here, elsewhere) = claims.split_at(count);
+        let (near, far) = here.split_at(first.min(here.len()));
+        let others = elsewhere.chunk_by(|one, other| {
+            self.statements[*one].document == self.statements[*other].document
+        });
+        // The statement itself may be refused, whether or not a claim builds on it.
+        let mut parts = vec![(document, self.part(near.iter().chain([&statement])))];
+        for claims in [far]
+            .into_iter()
+            .chain(others)
+            .filter(|own| !own.is_empty())
+        {
+            let own = self.statements[claims[0]].document;
+            parts.push((own, self.part(claims.iter().chain([&statement]))));
+        }
+        parts
+    }
+
+    /// A statement without a claim, and one that was added on another line of its document.
+    pub(super) fn alone(&self, statement: usize, added: usize) -> Part {
+        let mut part = self.part([&statement]);
+        part.insert((self.statements[statement].path.clone(), added));
+        part
+    }
+
+    /// Statements with all that they need, and the imports.
+    fn part<'a>(&self, statements: impl IntoIterator<Item = &'a usize>) -> Part {
+        let needed = self.needed(statements.into_iter().copied());
+        let all = self.statements.iter().enumerate();
+        all.filter(|(place, own)| own.is_import || needed.contains(place))
+            .map(|(_, own)| (own.path.clone(), own.line))
+            .collect()
+    }
+}
+
+/// The names that a document takes from others.
+fn imported(
+    audit: &Audit,
+    earlier: &[Audit],
+    declared: &[BTreeMap<String, usize>],
+) -> BTreeMap<String, usize> {
+    let known = earlier.iter().zip(declared);
+    let imports = known.filter(|(own, _)| audit.imports(&own.path));
+    imports.flat_map(|(_, names)| names.clone()).collect()
+}
+
+/// The names on which a statement builds: also evaluators and systems, and those whose outputs it names.
+fn mentioned(statement: &Statement) -> impl Iterator<Item = String> {
+    let mentions = statement.mentions().into_iter().map(|own| own.name);
+    let bases: Vec<Name> = statement
+        .compiled_bases()
+        .map(|own| own.value.clone())
+        .collect();
+    mentions
+        .chain(bases)
+        .map(|name| match name.ascii.split_once('.') {
+            Some((evaluator, _)) => evaluator.to_string(),
+            None => name.ascii.clone(),
+        })
+}
+
+fn is_claim(kind: &StatementKind) -> bool {
+    matches!(
+        kind,
+        StatementKind::Assertion { .. } | StatementKind::Eigenpair { .. }
+    )
+}
