@@ -14,7 +14,9 @@ use super::elaboration::error::{algebra, unexpandable};
 use super::elaboration::limit::check_order;
 use super::quantity::{Value, common_unit};
 use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::language::syntax::{Comparison, Expectation, Expression, Label, Order, Relation, Span};
+use crate::language::syntax::{
+    BinaryOperator, Comparison, Expectation, Expression, Label, Order, Relation, Span,
+};
 use crate::language::unit::Unit;
 
 /// An assertion as the document makes it.
@@ -26,6 +28,8 @@ pub struct Assertion {
     pub expectation: Expectation,
     /// What is asserted.
     pub relation: Relation,
+    /// Of a refutation: what left − right is.
+    pub difference: Option<Expression>,
     /// Of an approximation.
     pub order: Option<Order>,
     /// In words.
@@ -34,6 +38,23 @@ pub struct Assertion {
     pub line: usize,
     /// Where it stands.
     pub span: Span,
+}
+
+impl Assertion {
+    /// That left − right is what the author says it is, if that is said.
+    pub(crate) fn of_difference(&self) -> Option<Self> {
+        let Relation { left, right, .. } = self.relation.clone();
+        Some(Assertion {
+            expectation: Expectation::Holds,
+            relation: Relation {
+                left: Expression::binary(BinaryOperator::Subtract, left, right),
+                comparison: Comparison::Equal,
+                right: self.difference.clone()?,
+            },
+            difference: None,
+            ..self.clone()
+        })
+    }
 }
 
 /// What the first route tells of an assertion.

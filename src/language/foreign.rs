@@ -96,9 +96,10 @@ fn transposition(line: &Line) -> Option<String> {
                 .is_some_and(|next| next.is_alphanumeric() || next == '_')
     };
     let is_method = line.marked == "." && is_letter(line.behind);
+    let is_output = line.marked.ends_with(".T");
     let is_power = line.marked == "T" && line.before.trim_end().ends_with('^');
     let is_prime = line.marked == "'" && line.before.ends_with([']', ')']);
-    (is_method || is_power || is_prime)
+    (is_method || is_output || is_power || is_prime)
         .then(|| "a transposed matrix is written `transpose(A)`".to_string())
 }
 

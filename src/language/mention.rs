@@ -1,8 +1,8 @@
 //! The names that a statement builds on.
 
 use super::syntax::{
-    EvaluatorBody, Expression, Name, Node, Place, Relation, Replacement, Spanned, Statement,
-    StatementKind, SystemBody, SystemStatement,
+    EvaluatorBody, Expression, Name, Node, Place, Relation, Replacement, Statement, StatementKind,
+    SystemBody, SystemStatement,
 };
 
 /// A name that is mentioned.
@@ -46,9 +46,13 @@ impl Statement {
             StatementKind::Substitution { replacements, .. }
             | StatementKind::Domain(replacements) => of_replacements(replacements, &mut found),
             StatementKind::Assertion {
-                relation, order, ..
+                relation,
+                difference,
+                order,
+                ..
             } => {
                 of_relation(relation, &mut found);
+                of_all(difference, &mut found);
                 let small = order.iter().flat_map(|order| &order.small);
                 found.extend(small.map(|name| Mention::bare(&name.value)));
             }
@@ -86,8 +90,9 @@ impl Statement {
         found
     }
 
-    /// The evaluator that it is a special case of, and the system that it approximates.
-    pub fn compiled_bases(&self) -> impl Iterator<Item = &Spanned<Name>> {
+    /// The evaluators and systems that it builds on: that of which it is a special case, that which it approximates, and
+    /// those whose outputs it names.
+    pub fn compiled_bases(&self) -> Vec<Name> {
         let (general, system) = match &self.kind {
             StatementKind::Evaluator {
                 body, approximated, ..
@@ -100,7 +105,13 @@ impl Statement {
             }
             _ => (None, None),
         };
-        general.into_iter().chain(system)
+        let bases = general
+            .into_iter()
+            .chain(system)
+            .map(|own| own.value.clone());
+        let outputs = self.mentions().into_iter();
+        let owners = outputs.filter_map(|own| Some(own.name.of_output()?.0));
+        bases.chain(owners).collect()
     }
 }
 

@@ -38,6 +38,27 @@ impl Name {
     }
 }
 
+impl Name {
+    /// `closed_form.λ_R1`: the name of an output behind the name of what has it.
+    pub fn output(&self, output: &Name) -> Self {
+        Self {
+            ascii: format!("{}.{}", self.ascii, output.ascii),
+            unicode: format!("{}.{}", self.unicode, output.unicode),
+        }
+    }
+
+    /// The names of what has an output, and of the output, of the name of one.
+    pub fn of_output(&self) -> Option<(Self, Self)> {
+        let (owner, output) = self.ascii.split_once('.')?;
+        let (shown, shown_output) = self.unicode.split_once('.')?;
+        let name = |ascii: &str, unicode: &str| Self {
+            ascii: ascii.to_owned(),
+            unicode: unicode.to_owned(),
+        };
+        Some((name(owner, shown), name(output, shown_output)))
+    }
+}
+
 /// A name and the number of dots above its first letter: `θ̇_d` is `θ_d` with one dot.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DottedName {

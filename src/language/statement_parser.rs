@@ -122,6 +122,10 @@ impl Cursor<'_> {
         let label = self.label()?;
         self.expect_colon("write `:` behind the label: `claim (1): a == b`")?;
         let relation = self.relation("`==`, `<`, `<=`, `>` or `>=`")?;
+        let difference = match expectation == Expectation::Refuted && self.accept_word("by") {
+            true => Some(self.expression()?),
+            false => None,
+        };
         let order = self.order()?;
         if expectation == Expectation::Approximate && order.is_none() {
             let help = "say which terms are kept: `to order 1 in x`";
@@ -138,6 +142,7 @@ impl Cursor<'_> {
             expectation,
             label,
             relation,
+            difference,
             order,
             description,
         })

@@ -324,6 +324,8 @@ pub enum StatementKind {
         label: Label,
         /// What is asserted.
         relation: Relation,
+        /// Of a refutation: what left − right is.
+        difference: Option<Expression>,
         /// Of an approximation.
         order: Option<Order>,
         /// In words.

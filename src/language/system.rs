@@ -3,8 +3,8 @@
 use super::diagnostic::{Diagnostic, DiagnosticKind};
 use super::evaluator::{Evaluator, Output};
 use super::syntax::{
-    Expression, Label, Name, Node, Part, Place, Span, Spanned, Statement, StatementKind,
-    SystemBody, SystemStatement,
+    BinaryOperator, Expression, Label, Name, Node, Part, Place, Span, Spanned, Statement,
+    StatementKind, SystemBody, SystemStatement,
 };
 
 /// How many coordinates a system may have.
@@ -87,6 +87,22 @@ impl System {
         [&self.mass]
             .into_iter()
             .chain(parts.map(|part| &part.matrix))
+    }
+
+    /// A matrix by its name: `mass`, `damping` and `stiffness`, or the name of a part.
+    pub(crate) fn matrix_named(&self, name: &Name) -> Option<Expression> {
+        let parts = || self.damping.iter().chain(&self.stiffness);
+        let sum = |parts: &[Part]| {
+            let matrices = parts.iter().map(|part| part.matrix.clone());
+            matrices.reduce(|sum, own| Expression::binary(BinaryOperator::Add, sum, own))
+        };
+        let is_it = |part: &&Part| part.name.as_ref().is_some_and(|own| own.value == *name);
+        match name.ascii.as_str() {
+            "mass" => Some(self.mass.clone()),
+            "damping" => sum(&self.damping),
+            "stiffness" => sum(&self.stiffness),
+            _ => parts().find(is_it).map(|part| part.matrix.clone()),
+        }
     }
 
     /// What is to be compiled: the entries of M, of each part of C and of each part of K, row by row, after

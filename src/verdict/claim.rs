@@ -5,6 +5,7 @@ use crate::algebra::number::Rational;
 use crate::derivation::assertion::Assertion;
 use crate::derivation::condition::Condition;
 use crate::derivation::quantity::Value;
+use crate::language::notation::Notation;
 use crate::language::syntax::{Expectation, Expression, Label, Name, Relation};
 
 /// What the engine found of an assertion.
@@ -80,6 +81,15 @@ pub struct Witness {
     pub right: String,
 }
 
+/// What the author of a refutation says that left − right is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// That.
+    pub stated: Expression,
+    /// Whether it is so.
+    pub is_it: bool,
+}
+
 /// An assertion of a document and what became of it.
 #[derive(Clone, Debug)]
 pub struct Claim {
@@ -101,6 +111,8 @@ pub struct Claim {
     pub neglected: Option<(u32, Vec<Name>)>,
     /// Of an approximation, the leading term of left − right.
     pub residual: Option<Expression>,
+    /// Of a refutation, what the author says that left − right is.
+    pub difference: Option<Difference>,
     /// Of a refutation, where the sides differ.
     pub witness: Option<Witness>,
     /// Why an assertion is ill-formed, undecided or skipped.
@@ -127,6 +139,7 @@ impl Claim {
             conditions: Vec::new(),
             neglected: None,
             residual: None,
+            difference: None,
             witness: None,
             reason: None,
             sides: None,
@@ -143,6 +156,18 @@ impl Claim {
 
     /// Whether the verdict is the one that the author expects.
     pub fn as_expected(&self) -> bool {
-        self.verdict.meets(self.expectation)
+        let difference = self.difference.as_ref();
+        self.verdict.meets(self.expectation) && difference.is_none_or(|own| own.is_it)
+    }
+
+    /// Takes over what became of the claim that left − right is what the author says.
+    pub(crate) fn differ_by(&mut self, claim: &Claim) {
+        let is_it = claim.verdict.meets(Expectation::Holds);
+        let stated = claim.statement.right.clone();
+        if !is_it {
+            let written = Notation::Unicode.expression(&stated);
+            self.reason = Some(format!("left − right is not found to be {written}"));
+        }
+        self.difference = Some(Difference { stated, is_it });
     }
 }

@@ -72,6 +72,7 @@ fn assertion(text: &str) -> Assertion {
         expectation,
         label,
         relation,
+        difference,
         order,
         description,
     } = statement(text)
@@ -82,6 +83,7 @@ fn assertion(text: &str) -> Assertion {
         label,
         expectation,
         relation,
+        difference,
         order,
         description,
         line: 1,

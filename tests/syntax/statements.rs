@@ -211,6 +211,7 @@ fn summary(statement: &Statement) -> String {
             relation,
             order,
             description,
+            ..
         } => {
             let relation = Notation::Ascii.relation(relation);
             let order = order

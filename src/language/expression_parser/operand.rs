@@ -5,7 +5,7 @@ use super::numeral::{number, superscript};
 use crate::language::cursor::{Cursor, Parsed};
 use crate::language::diagnostic::Diagnostic;
 use crate::language::lexer::TokenKind;
-use crate::language::syntax::{BinaryOperator, Expression, Name, Node};
+use crate::language::syntax::{BinaryOperator, Expression, Name, Node, Span};
 
 impl Cursor<'_> {
     /// An operand with its indices and superscripts.
@@ -87,6 +87,9 @@ impl Cursor<'_> {
             }
             return Ok(tree);
         }
+        if let Some(output) = self.output_of(&dotted.name, &span)? {
+            return Ok(Tree::leaf(Node::Name(output), self.since(start)));
+        }
         let mut order = 0_u32;
         if let Some(primes) = self.accept(TokenKind::Primes) {
             order = self.text_of(&primes).chars().map(primes_in).sum();
@@ -107,6 +110,22 @@ impl Cursor<'_> {
             _ => Node::Derivative(dotted.name, order),
         };
         Ok(Tree::leaf(node, self.since(start)))
+    }
+
+    /// `closed_form.λ_R1`: an output of an evaluator, or a matrix of a system, behind the name of that.
+    fn output_of(&mut self, compiled: &Name, span: &Span) -> Parsed<Option<Name>> {
+        let dot = self.here();
+        let is_output = dot.start == span.end
+            && self.peek_text() == "."
+            && self.peek_at(1) == Some(TokenKind::Name)
+            && self.span_of_next(2)
+                == (dot.start..dot.end + self.span_of_next(2).len() - dot.len());
+        if !is_output {
+            return Ok(None);
+        }
+        self.advance();
+        let output = self.name("the name of an output")?.value;
+        Ok(Some(compiled.output(&output)))
     }
 
     /// The call that a sign stands for: `√(x)`, `|M|`, `ẋ`.

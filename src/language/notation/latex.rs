@@ -38,6 +38,10 @@ pub(super) fn name(name: &Name) -> String {
 }
 
 fn dotted_name(name: &Name, dots: u32) -> String {
+    if let Some((owner, output)) = name.of_output() {
+        let owner = owner.ascii.replace('_', r"\_");
+        return format!(r"\mathtt{{{owner}}}.{}", self::name(&output));
+    }
     let mut segments = name
         .unicode
         .split('_')

@@ -96,6 +96,9 @@ struct ClaimObject<'a> {
     conditions: Vec<String>,
     neglected: Vec<String>,
     residual: Option<String>,
+    /// Of a refutation, what left − right is, if that is said and so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    difference: Option<String>,
     witness: Option<WitnessObject<'a>>,
     reason: Option<&'a str>,
     /// Whether it is undecided by a mistake of this program.
@@ -229,6 +232,9 @@ fn claim_object(claim: &Claim) -> ClaimObject<'_> {
             .map(|words| words.plain())
             .collect(),
         residual: claim.residual.as_ref().map(ascii),
+        difference: (claim.difference.as_ref())
+            .filter(|own| own.is_it)
+            .map(|own| ascii(&own.stated)),
         witness: claim.witness.as_ref().map(witness_object),
         reason: claim.reason.as_deref(),
         fault: claim.fault,

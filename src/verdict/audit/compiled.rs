@@ -1,8 +1,12 @@
 //! What a document wants compiled: systems, and evaluators.
 
+use crate::derivation::scope::Meaning;
 use crate::language::diagnostic::{Diagnostic, DiagnosticKind, nearest};
 use crate::language::evaluator::{Evaluator, Output};
-use crate::language::syntax::{Approximated, Name, Quantities, Span, Spanned, Statement};
+use crate::language::mention::Mention;
+use crate::language::syntax::{
+    Approximated, Expression, Name, Quantities, Span, Spanned, Statement,
+};
 use crate::language::system::System;
 use crate::language::unit::Unit;
 
@@ -32,6 +36,43 @@ impl Reader<'_> {
         self.evaluators.push(evaluator.clone());
         read.evaluators.push(evaluator);
         Ok(true)
+    }
+
+    /// Gives outputs of evaluators and matrices of systems that a statement names the meaning that they have.
+    pub(super) fn declare_outputs(&mut self, statement: &Statement) -> Result<(), Diagnostic> {
+        for Mention { name, .. } in statement.mentions() {
+            let Some((owner, output)) = name.of_output() else {
+                continue;
+            };
+            let Some(expression) = self.output_named(&owner, &output) else {
+                continue;
+            };
+            if self.elaborator.scope.get(&name).is_some() {
+                continue;
+            }
+            self.elaborator.fresh();
+            let value = self.elaborator.value(&expression)?;
+            let meaning = Meaning::Definition {
+                expression,
+                value,
+                conditions: std::mem::take(&mut self.elaborator.conditions),
+            };
+            let span = statement.span.clone();
+            let name = Spanned { value: name, span };
+            self.elaborator.scope.declare(&name, meaning, None)?;
+        }
+        Ok(())
+    }
+
+    fn output_named(&self, owner: &Name, output: &Name) -> Option<Expression> {
+        let mut evaluators = self.evaluators.iter();
+        if let Some(evaluator) = evaluators.find(|own| own.name == *owner) {
+            let mut outputs = evaluator.outputs.iter();
+            let found = outputs.find(|own| own.name == *output)?;
+            return Some(found.expression.clone());
+        }
+        let mut systems = self.systems.iter();
+        systems.find(|own| own.name == *owner)?.matrix_named(output)
     }
 
     /// A name is that of one system or evaluator.

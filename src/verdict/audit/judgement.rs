@@ -20,6 +20,8 @@ impl Reader<'_> {
         let scope = &self.elaborator.scope;
         let judge = Judge::new(scope, &relations, self.signs(), self.salt());
         let (mut claims, wrong) = judge.judge_all(&read.findings, &read.checks);
+        let differences: Vec<Finding> = read.differences.values().cloned().collect();
+        let (differences, _) = judge.judge_all(&differences, &[]);
         let wrong = read.matchings.iter().zip(wrong);
         let failed = wrong.filter_map(|(matched, diagnostic)| {
             let place = (self.here.path.clone(), matched.label.span.start);
@@ -31,6 +33,9 @@ impl Reader<'_> {
                 let diagnostic = disagreement(finding);
                 self.refusals.note(diagnostic, &self.here.path);
             }
+        }
+        for (place, own) in read.differences.keys().zip(&differences) {
+            claims[*place].differ_by(own);
         }
         self.withhold(&mut claims, read);
         claims.append(&mut read.skipped_claims);

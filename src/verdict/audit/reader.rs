@@ -71,6 +71,8 @@ pub(super) struct Reader<'a> {
 pub(super) struct Read {
     pub(super) title: Option<String>,
     pub(super) findings: Vec<Finding>,
+    /// What refutations say of their sides, by their places among the findings.
+    pub(super) differences: BTreeMap<usize, Finding>,
     pub(super) matchings: Vec<Matched>,
     pub(super) evaluators: Vec<Evaluator>,
     pub(super) systems: Vec<System>,
@@ -295,11 +297,19 @@ impl<'a> Reader<'a> {
     }
 
     fn execute(&mut self, statement: &Statement, read: &mut Read) -> Result<(), Diagnostic> {
+        self.declare_outputs(statement)?;
+        self.elaborator.fresh();
         if let Some(assertion) = asserted(statement, self.here.line) {
             if let StatementKind::Eigenpair { vector, .. } = &statement.kind {
                 self.non_zero_vector(vector)?;
             }
-            read.findings.push(self.elaborator.find(&assertion)?);
+            let finding = self.elaborator.find(&assertion)?;
+            if let Some(difference) = assertion.of_difference() {
+                self.elaborator.fresh();
+                let finding = self.elaborator.find(&difference)?;
+                read.differences.insert(read.findings.len(), finding);
+            }
+            read.findings.push(finding);
             return Ok(());
         }
         if let StatementKind::Match(matching) = &statement.kind {
@@ -389,12 +399,14 @@ fn asserted(statement: &Statement, line: usize) -> Option<Assertion> {
             expectation,
             label,
             relation,
+            difference,
             order,
             description,
         } => Some(Assertion {
             label: label.clone(),
             expectation: *expectation,
             relation: relation.clone(),
+            difference: difference.clone(),
             order: order.clone(),
             description: description.clone(),
             line,
@@ -419,6 +431,7 @@ fn asserted(statement: &Statement, line: usize) -> Option<Assertion> {
                     comparison: Comparison::Equal,
                     right: product(value, product(mass, vector.clone())),
                 },
+                difference: None,
                 order: None,
                 description: description.clone(),
                 line,

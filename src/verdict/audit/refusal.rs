@@ -205,8 +205,8 @@ impl Refusals {
             return None;
         }
         let intent = Intent::of(statement);
-        let bases = statement.compiled_bases().map(|name| &name.value);
-        let mut compiled = bases.chain(&intent.compiled);
+        let bases = statement.compiled_bases();
+        let mut compiled = bases.iter().chain(&intent.compiled);
         let refused = compiled.find_map(|name| Some((name, self.compiled.get(&name.ascii)?)));
         let refused = refused.or_else(|| {
             let mut declared = intent.declares.iter();

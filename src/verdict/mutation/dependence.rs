@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::language::intent::Intent;
-use crate::language::syntax::{Name, Statement, StatementKind};
+use crate::language::syntax::{Statement, StatementKind};
 use crate::verdict::audit::{Audit, Part};
 
 /// The statements of documents that import each other, and which of them each builds on.
@@ -155,19 +155,11 @@ fn imported(
     imports.flat_map(|(_, names)| names.clone()).collect()
 }
 
-/// The names on which a statement builds: also evaluators and systems, and those whose outputs it names.
+/// The names on which a statement builds, also those of evaluators and systems.
 fn mentioned(statement: &Statement) -> impl Iterator<Item = String> {
     let mentions = statement.mentions().into_iter().map(|own| own.name);
-    let bases: Vec<Name> = statement
-        .compiled_bases()
-        .map(|own| own.value.clone())
-        .collect();
-    mentions
-        .chain(bases)
-        .map(|name| match name.ascii.split_once('.') {
-            Some((evaluator, _)) => evaluator.to_string(),
-            None => name.ascii.clone(),
-        })
+    let bases = statement.compiled_bases().into_iter();
+    mentions.chain(bases).map(|name| name.ascii)
 }
 
 fn is_claim(kind: &StatementKind) -> bool {
