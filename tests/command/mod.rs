@@ -9,6 +9,7 @@ mod generation;
 mod input;
 #[cfg(feature = "stability")]
 mod modes;
+mod mutate;
 mod new;
 #[cfg(feature = "stability")]
 mod report;

@@ -1,0 +1,98 @@
+//! `sextic mutate` as a user sees it.
+
+use serde_json::{Value, json};
+
+use super::{document, run};
+
+const DOCUMENT: &str = "# Springs
+
+```sextic
+parameter k, m : 1 > 0
+parameter L, D : m > 0
+assume L < D
+angle β
+sum := k + m
+unused := k - m
+turned := L*sin(β)
+claim (1): sum^2 == k^2 + 2*k*m + m^2
+claim (2): turned^2 + (L*cos(β))^2 == L^2
+claim (3): D - L > 0
+evaluator (4) pair: p = sum, q = k*m
+```
+";
+
+/// What is found, and the exit status.
+fn mutated(name: &str, text: &str) -> (Option<i32>, Value) {
+    let path = document(name, text);
+    let path = path.to_str().expect("a path");
+    let (status, out, errors) = run(&["mutate", path, "--format", "json"]);
+    assert_eq!(errors, "");
+    (status, serde_json::from_str(&out).expect("JSON"))
+}
+
+fn survivors(found: &Value) -> Vec<String> {
+    let survivors = found["documents"][0]["survivors"].as_array();
+    let line = |own: &Value| {
+        let [from, to] = ["from", "to"].map(|key| own[key].as_str().unwrap_or_default());
+        format!("{}: {from} → {to}", own["line"])
+    };
+    survivors.into_iter().flatten().map(line).collect()
+}
+
+#[test]
+fn what_no_verdict_notices_is_found() {
+    let (status, found) = mutated("springs.md", DOCUMENT);
+    assert_eq!(status, Some(1));
+    // sin and cos are exchanged in one of two squares, or L and D, and (2) says so; `unused` is in no claim, and neither
+    // is `pair`.
+    assert_eq!(
+        survivors(&found),
+        [
+            "9: k → m",
+            "9: - → +",
+            "9: m → k",
+            "14: sum → unused",
+            "14: k → m",
+            "14: * → /",
+            "14: m → k",
+            "14: sum, q = k*m → k*m, q = sum"
+        ]
+    );
+    let own = &found["documents"][0];
+    let count = |key: &str| own[key].as_u64().expect("a count");
+    // k + k and m + m, - for +; D and cos; > for <, D < D, L < L.
+    assert_eq!(count("mutants"), count("noticed") + count("equal") + 8);
+}
+
+#[test]
+fn outputs_are_pinned_by_claims_that_name_them() {
+    let pinned = DOCUMENT.replace(
+        "q = k*m\n",
+        "q = k*m\nclaim (5): pair.p == m + k and\nclaim (6): unused == -(m - k)\n",
+    );
+    let pinned = pinned.replace(" and\n", "\nclaim (7): pair.q == m*k\n");
+    let (status, found) = mutated("pinned.md", &pinned);
+    assert_eq!((status, survivors(&found)), (Some(0), Vec::new()));
+}
+
+#[test]
+fn what_is_equal_is_told_apart() {
+    let text = "```sextic\nparameter a, b : 1\nown := 0*a + b\nclaim (1): own == b\n```\n";
+    let (status, found) = mutated("equal.md", text);
+    // 0·b is 0 as well; 0/a is so where a is not 0, which (1) then says, and is as expected.
+    assert_eq!(survivors(&found), ["3: * → /"]);
+    assert_eq!(status, Some(1));
+    assert_eq!(found["documents"][0]["equal"], json!(1));
+}
+
+#[test]
+fn nothing_is_edited_before_all_is_as_expected() {
+    let text = "```sextic\nparameter a, b : 1\nclaim (1): a == b\n```\n";
+    let path = document("unexpected.md", text);
+    let (status, out, errors) = run(&["mutate", path.to_str().expect("a path")]);
+    assert_eq!((status, out.as_str()), (Some(2), ""));
+    assert!(
+        errors.contains("is not as its author expects before anything is edited"),
+        "{errors}"
+    );
+}
