@@ -1,4 +1,4 @@
-//! The paper's kinds of figures, on any case; and those that need no coefficients, as they are.
+//! The paper's kinds of figures, on any case.
 
 use crate::stability::case::Case;
 use crate::stability::coefficient_table::CoefficientTable;
@@ -8,13 +8,44 @@ use crate::stability::grid::{Grid, Methods, Rows};
 use crate::stability::input::{InputError, Place};
 use crate::stability::interpolation::CoefficientCurves;
 use crate::stability::offset::{OffsetPoint, against_offset};
+use crate::stability::tuned_modes::TunedSection;
 use crate::stability::variable::Variable;
 
-use super::figure::{Curve, Figure, Stroke};
-use super::{stability_figure, trajectory};
+use super::figure::{Curve, Figure, Own, Stroke};
+use super::stability::{given, sweep};
+use super::stability_figure::{self, name, set, titled};
+use super::trajectory;
 
 /// A figure and the name of its file, without an extension.
 pub type Named = (String, Figure);
+
+/// Figures, no two of which draw the same.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Gallery {
+    /// What is drawn.
+    pub figures: Vec<Named>,
+    /// The names of the others, and why they are left out.
+    pub left_out: Vec<(&'static str, String)>,
+}
+
+impl Gallery {
+    /// Adds a figure, unless an earlier one draws the same.
+    fn add(&mut self, name: &'static str, figure: Figure) {
+        let earlier = self.figures.iter();
+        match earlier.clone().find(|(_, own)| own.draws_the_same(&figure)) {
+            Some((same, _)) => {
+                let why = format!("it would draw the same as {same}");
+                self.left_out.push((name, why));
+            }
+            None => self.figures.push((name.into(), figure)),
+        }
+    }
+
+    fn leave_out(&mut self, names: &[&'static str], why: &str) {
+        let names = names.iter();
+        self.left_out.extend(names.map(|own| (*own, why.to_string())));
+    }
+}
 
 /// Styles for as many modes as there can be, told apart without colour: more than three where they do not oscillate.
 const MODES: [Stroke; 6] = [
@@ -29,37 +60,37 @@ const MODES: [Stroke; 6] = [
 const DAMPING: &str = "S of each mode = −4m Re λ / (ρDU), dimensionless";
 const FREQUENCY: &str = "frequency (Hz)";
 
-/// Steps of the eccentricity, and the largest.
+const OFFSET: &str = "offset of the mass centre, L_{g} / r";
+
+/// Steps of the eccentricity, and the largest where the case has none that is larger: in the wind, and without.
 const STEPS: usize = 400;
 const LARGEST: f64 = 0.6;
+const STEPS_WITHOUT_WIND: usize = 180;
+const LARGEST_WITHOUT_WIND: f64 = 0.9;
 
 /// So many sections are computed at once.
 const AT_ONCE: u64 = 1024;
 
-/// All figures of a case: the frequencies of Fig. 11 and the trajectories of Fig. 12, which rest on no case;
-/// its stability by all methods; with and without inertial coupling, as Figs. 3–6 and 9; modes against the
-/// offset of the mass centre at the worst angle, as Fig. 7; and the closed form against the state matrix of the
-/// same section, perfectly tuned and without structural damping, as Figs. 13 and 14.
+/// All figures of a case: its stability by all methods, and as Figs. 3 to 6, 7, 9 and 11 to 14 of the paper. What it
+/// has nothing to show for is left out, and what would draw the same as another one.
 ///
 /// # Errors
 ///
 /// As [`compare`].
-pub fn figures(case: &Case, table: &CoefficientTable) -> Result<Vec<Named>, InputError> {
+pub fn figures(case: &Case, table: &CoefficientTable) -> Result<Gallery, InputError> {
     let comparison = compare(case, table)?;
-    let mut figures = vec![("frequencies_without_wind".to_string(), frequencies())];
-    for mode in 1..=3 {
-        figures.push((
-            format!("trajectory_of_mode_{mode}"),
-            trajectory::figure(mode),
-        ));
+    let mut gallery = Gallery::default();
+    without_wind(case, &mut gallery);
+    gallery.add("stability", stability_figure::figure(&comparison));
+    add_of_case(&comparison, table, &mut gallery)?;
+    match case.parameters.free.are_all() {
+        true => gallery.add("closed_form", closed_form(case, table)?),
+        false => gallery.leave_out(&["closed_form"], ALL_FREE),
     }
-    figures.push(("stability".into(), stability_figure::figure(&comparison)));
-    figures.extend(of_case(&comparison, table)?);
-    if case.parameters.free.are_all() {
-        figures.push(("closed_form".into(), closed_form(case, table)?));
-    }
-    Ok(figures)
+    Ok(gallery)
 }
+
+const ALL_FREE: &str = "it is for sections of which x, y and theta are free";
 
 /// The figures of a case beside that of its stability by all methods: S and frequency of every mode against
 /// the angle; and where the mass centre matters, with and without inertial coupling, and the modes against the
@@ -68,25 +99,92 @@ pub fn figures(case: &Case, table: &CoefficientTable) -> Result<Vec<Named>, Inpu
 /// # Errors
 ///
 /// As [`compare`].
-pub fn of_case(
+pub fn of_case(comparison: &Comparison, table: &CoefficientTable) -> Result<Gallery, InputError> {
+    let mut gallery = Gallery::default();
+    add_of_case(comparison, table, &mut gallery)?;
+    Ok(gallery)
+}
+
+fn add_of_case(
     comparison: &Comparison,
     table: &CoefficientTable,
-) -> Result<Vec<Named>, InputError> {
-    let mut figures = modes(comparison);
+    gallery: &mut Gallery,
+) -> Result<(), InputError> {
+    modes(comparison, gallery);
     // The mass centre couples the turn with sway and heave, and nothing else.
     let free = comparison.free();
-    if free.len() > 1 && free.contains(&Coordinate::Theta) {
-        if comparison.case.parameters.mass_centre_distance > 0.0 {
-            let figure = inertial_coupling(comparison, table)?;
-            figures.push(("inertial_coupling".into(), figure));
-        }
-        figures.extend(offset(comparison, table)?);
+    let is_coupled = free.len() > 1 && free.contains(&Coordinate::Theta);
+    match is_coupled && comparison.case.parameters.mass_centre_distance > 0.0 {
+        true => gallery.add("inertial_coupling", inertial_coupling(comparison, table)?),
+        false => gallery.leave_out(
+            &["inertial_coupling"],
+            match is_coupled {
+                true => "L_g = 0: there is no such coupling",
+                false => UNCOUPLED,
+            },
+        ),
     }
-    Ok(figures)
+    match is_coupled {
+        true => offset(comparison, table, gallery)?,
+        false => gallery.leave_out(
+            &["damping_against_offset", "frequencies_against_offset"],
+            UNCOUPLED,
+        ),
+    }
+    Ok(())
+}
+
+const UNCOUPLED: &str = "the mass centre couples theta with x and y, and these are not free";
+
+/// As Figs. 11 and 12: a section that is perfectly tuned, without wind.
+fn without_wind(case: &Case, gallery: &mut Gallery) {
+    let trajectories = [
+        "trajectory_of_mode_1",
+        "trajectory_of_mode_2",
+        "trajectory_of_mode_3",
+    ];
+    if !case.parameters.free.are_all() {
+        gallery.leave_out(&["frequencies_without_wind"], ALL_FREE);
+        gallery.leave_out(&trajectories, ALL_FREE);
+        return;
+    }
+    gallery.add("frequencies_without_wind", frequencies(case));
+    let eccentricity = eccentricity(case);
+    if eccentricity == 0.0 {
+        let why = "L_g = 0: the three frequencies are one, and every motion is a mode";
+        gallery.leave_out(&trajectories, why);
+        return;
+    }
+    for (place, own) in trajectories.into_iter().enumerate() {
+        gallery.add(own, trajectory::figure(place + 1, eccentricity, name(case)));
+    }
+}
+
+/// L_g/r.
+fn eccentricity(case: &Case) -> f64 {
+    case.parameters.small_quantities().e
+}
+
+/// The eccentricity of a case, marked.
+fn own_offset(case: &Case) -> Option<Own> {
+    let value = eccentricity(case);
+    Some(Own {
+        value,
+        label: format!("the case: L_{{g}}/r = {}", given((value * 1e4).round() / 1e4)),
+    })
+}
+
+/// The usual largest eccentricity, or one between that of the case and 1.
+fn largest_offset(usual: f64, case: &Case) -> f64 {
+    let own = eccentricity(case);
+    match own < usual {
+        true => usual,
+        false => (own + 1.0) / 2.0,
+    }
 }
 
 /// S and frequency of every mode against the angle.
-fn modes(comparison: &Comparison) -> Vec<Named> {
+fn modes(comparison: &Comparison, gallery: &mut Gallery) {
     let base = stability_figure::figure(comparison);
     let points = || comparison.points.iter();
     let damping = by_mode(|label| {
@@ -100,46 +198,70 @@ fn modes(comparison: &Comparison) -> Vec<Named> {
             .collect()
     });
     let of_frequency = Figure {
-        title: base.title.clone(),
+        title: titled(
+            "Frequency of every mode against the angle of attack",
+            &comparison.case,
+        ),
+        subtitle: base.subtitle.clone(),
         x_label: base.x_label.clone(),
         is_angle: true,
         y_label: FREQUENCY.into(),
         curves: frequency,
         ..Figure::default()
     };
-    let of_damping = Figure {
-        y_label: DAMPING.into(),
-        curves: damping,
-        ..base
-    };
-    vec![
-        ("damping_of_modes".into(), of_damping),
-        ("frequencies_of_modes".into(), of_frequency),
-    ]
+    match damping.len() {
+        1 => gallery.leave_out(
+            &["damping_of_modes"],
+            "there is one mode, and stability has its damping by the state matrix",
+        ),
+        _ => gallery.add(
+            "damping_of_modes",
+            Figure {
+                title: titled(
+                    "Damping of every mode against the angle of attack",
+                    &comparison.case,
+                ),
+                y_label: DAMPING.into(),
+                curves: damping,
+                ..base
+            },
+        ),
+    }
+    gallery.add("frequencies_of_modes", of_frequency);
 }
 
 /// Fig. 11: the frequencies of Eq. (15) against the eccentricity.
-fn frequencies() -> Figure {
-    let curve = |label: &str, stroke, frequency: &dyn Fn(f64) -> f64| {
-        let point = |step| {
-            let e = f64::from(step) * 0.005;
-            (e, frequency(e))
-        };
-        Curve {
-            label: label.into(),
-            stroke,
-            pieces: vec![(0..=180).map(point).collect()],
-        }
+fn frequencies(case: &Case) -> Figure {
+    let largest = largest_offset(LARGEST_WITHOUT_WIND, case);
+    let offsets = (0..=STEPS_WITHOUT_WIND)
+        .map(|step| largest * step as f64 / STEPS_WITHOUT_WIND as f64);
+    // The angle of the mass centre does not matter.
+    let modes: Vec<_> = offsets
+        .map(|offset| (offset, TunedSection::new(offset, 0.0).modes()))
+        .collect();
+    let curve = |place: usize| Curve {
+        label: format!("mode {}", place + 1),
+        stroke: MODES[place],
+        pieces: vec![
+            modes
+                .iter()
+                .map(|(offset, modes)| (*offset, modes[place].frequency))
+                .collect(),
+        ],
     };
     Figure {
-        title: "Frequencies of a perfectly tuned section without wind".into(),
-        x_label: "offset of the mass centre, L_{g} / r".into(),
+        title: titled(
+            "Frequencies without wind against the offset of the mass centre",
+            case,
+        ),
+        subtitle: set(
+            case,
+            "perfectly tuned: all three natural frequencies are ω_{n}",
+        ),
+        x_label: OFFSET.into(),
         y_label: "frequency, ω / ω_{n}".into(),
-        curves: vec![
-            curve("mode 1", MODES[0], &|e| (1.0 - e).sqrt().recip()),
-            curve("mode 2", MODES[1], &|_| 1.0),
-            curve("mode 3", MODES[2], &|e| (1.0 + e).sqrt().recip()),
-        ],
+        curves: (0..3).map(curve).collect(),
+        own: own_offset(case),
         ..Figure::default()
     }
 }
@@ -172,10 +294,14 @@ fn inertial_coupling(
         stroke,
         pieces,
     };
-    let e = comparison.case.parameters.small_quantities().e;
+    let e = eccentricity(&comparison.case);
     let with = format!("with inertial coupling, L_{{g}}/r = {e:.3}");
     let without = "without, L_{g} = 0".to_string();
     Ok(Figure {
+        title: titled(
+            "Stability with and without inertial coupling",
+            &comparison.case,
+        ),
         curves: vec![
             curve(with, Stroke::Solid, vec![own.collect()]),
             curve(without, Stroke::Dashed, pieces),
@@ -197,14 +323,18 @@ fn exact(case: &Case, table: &CoefficientTable) -> Result<Vec<Option<Value>>, In
 }
 
 /// As Fig. 7: S and frequency of every mode against the offset of G, at the angle with the least S.
-fn offset(comparison: &Comparison, table: &CoefficientTable) -> Result<Vec<Named>, InputError> {
+fn offset(
+    comparison: &Comparison,
+    table: &CoefficientTable,
+    gallery: &mut Gallery,
+) -> Result<(), InputError> {
     let case = &comparison.case;
     let worst = comparison
         .points
         .iter()
         .min_by(|one, other| one.exact.value.total_cmp(&other.exact.value));
     let Some(worst) = worst.map(|point| point.angle) else {
-        return Ok(Vec::new());
+        return Ok(());
     };
     let wrong = |what: String| {
         let help = "correct the case or its table";
@@ -212,14 +342,17 @@ fn offset(comparison: &Comparison, table: &CoefficientTable) -> Result<Vec<Named
     };
     let curves = CoefficientCurves::new(table, case.interpolation)?;
     let coefficients = curves.at(worst).map_err(|error| wrong(error.to_string()))?;
-    let points = against_offset(case, coefficients, worst, LARGEST, STEPS)
+    let largest = largest_offset(LARGEST, case);
+    let points = against_offset(case, coefficients, worst, largest, STEPS)
         .map_err(|error| wrong(error.to_string()))?;
-    let title = format!(
-        "{} at the worst angle, α = {}°; modes are numbered at L_{{g}} = 0",
-        stability_figure::name(case),
-        angle(worst)
+    let subtitle = set(
+        case,
+        &format!(
+            "at the worst angle, α = {}°, and U = {} m/s; modes are numbered at L_{{g}} = 0",
+            angle(worst),
+            given(case.parameters.wind_speed)
+        ),
     );
-    let x_label = "offset of the mass centre, L_{g} / r".to_string();
     let of_modes = |value: fn(&FollowedMode) -> f64| {
         by_mode(|label| {
             let value = |point: &OffsetPoint| {
@@ -230,24 +363,33 @@ fn offset(comparison: &Comparison, table: &CoefficientTable) -> Result<Vec<Named
         })
     };
     let damping = Figure {
-        title: title.clone(),
-        x_label: x_label.clone(),
+        title: titled(
+            "Damping of every mode against the offset of the mass centre",
+            case,
+        ),
+        subtitle: subtitle.clone(),
+        x_label: OFFSET.into(),
         y_label: DAMPING.into(),
         shaded: Some("unstable".into()),
         curves: of_modes(|mode| mode.damping.value),
+        own: own_offset(case),
         ..Figure::default()
     };
     let frequency = Figure {
-        title,
-        x_label,
+        title: titled(
+            "Frequency of every mode against the offset of the mass centre",
+            case,
+        ),
+        subtitle,
+        x_label: OFFSET.into(),
         y_label: FREQUENCY.into(),
         curves: of_modes(|mode| mode.frequency),
+        own: own_offset(case),
         ..Figure::default()
     };
-    Ok(vec![
-        ("damping_against_offset".into(), damping),
-        ("frequencies_against_offset".into(), frequency),
-    ])
+    gallery.add("damping_against_offset", damping);
+    gallery.add("frequencies_against_offset", frequency);
+    Ok(())
 }
 
 /// A curve a mode, in pieces where it is not there.
@@ -272,14 +414,19 @@ fn closed_form(case: &Case, table: &CoefficientTable) -> Result<Figure, InputErr
     tuned.parameters.natural_frequencies = [case.parameters.natural_frequencies[1]; 3];
     tuned.parameters.damping_ratios = [0.0; 3];
     tuned.parameters.aerodynamic_stiffness = false;
-    let is_changed = tuned != *case;
-    let figure = stability_figure::figure(&compare(&tuned, table)?);
-    let title = match is_changed {
-        true => format!(
-            "{}; tuned to f_{{y}}, without structural damping",
-            figure.title
+    let comparison = compare(&tuned, table)?;
+    Ok(Figure {
+        title: titled(
+            "Closed form beside the state matrix, tuned and undamped",
+            case,
         ),
-        false => figure.title,
-    };
-    Ok(Figure { title, ..figure })
+        subtitle: set(
+            case,
+            &format!(
+                "all natural frequencies f_{{y}}, no structural damping; {}",
+                sweep(&comparison)
+            ),
+        ),
+        ..stability_figure::figure(&comparison)
+    })
 }

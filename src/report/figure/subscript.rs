@@ -32,3 +32,8 @@ pub(super) fn set(svg: &str) -> String {
 pub(super) fn length(text: &str) -> usize {
     text.replace("_{", "").replace('}', "").chars().count()
 }
+
+/// A text without its marks of subscripts: `L_g`.
+pub(super) fn plain(text: &str) -> String {
+    text.replace("_{", "_").replace('}', "")
+}
