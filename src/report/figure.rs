@@ -71,10 +71,12 @@ const WIDTH: i32 = 900;
 const PLOT: i32 = 488;
 /// Coordinates are whole numbers: so many of them a pixel keep curves smooth.
 const FINE: i32 = 4;
-/// Room for the title, for the line below it, and for the label of the case's own value.
-const TITLE: i32 = 36;
-const SUBTITLE: i32 = 22;
-const OWN: i32 = 18;
+/// Room above and below all that stands above the curves; for the title, for the line below it, and for the label of
+/// the case's own value.
+const GAP: i32 = 10;
+const TITLE: i32 = 26;
+const SUBTITLE: i32 = 24;
+const OWN: i32 = 16;
 /// Room on the other sides of the curves.
 const LEFT: i32 = 72;
 const RIGHT: i32 = 24;
@@ -160,7 +162,7 @@ impl Figure {
     fn head(&self) -> i32 {
         let subtitle = if self.subtitle.is_empty() { 0 } else { SUBTITLE };
         let own = if self.own.is_some() { OWN } else { 0 };
-        TITLE + subtitle + self.legend().height() + own
+        GAP + TITLE + subtitle + self.legend().height() + own + GAP
     }
 
     /// What x and y go over.
@@ -207,14 +209,14 @@ impl Figure {
 
     /// The title, what it is shown for, and the legend.
     fn draw_head(&self, head: &Area<'_>) -> Result<(), Box<dyn Error>> {
-        let mut top = 12;
+        let mut top = GAP;
         for (text, largest, height) in [(&self.title, 19, TITLE), (&self.subtitle, 15, SUBTITLE)] {
             if !text.is_empty() {
                 draw_line(head, text, (LEFT, top), WIDTH - LEFT - RIGHT, largest)?;
                 top += height;
             }
         }
-        self.legend().draw(head, (LEFT, top - 4))
+        self.legend().draw(head, (LEFT, top))
     }
 
     /// What each curve, region and mark is.

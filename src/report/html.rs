@@ -12,6 +12,7 @@ mod prose;
 mod repetition;
 mod shown;
 mod statement;
+mod unit;
 
 use serde::Serialize;
 use tera::{Context, Tera};

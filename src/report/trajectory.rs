@@ -46,7 +46,7 @@ pub fn figure(mode: usize, eccentricity: f64, name: &str) -> Figure {
         label: label.into(),
     };
     let mut marks = vec![
-        mark(&elastic_centre, Sign::Ring, "O", Side::Below, "O, elastic centre"),
+        mark(&elastic_centre, Sign::Ring, "O", Side::Beside, "O, elastic centre"),
         mark(
             &point(eccentricity, 0.0),
             Sign::Disc,

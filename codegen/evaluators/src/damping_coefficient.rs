@@ -5,7 +5,7 @@
 //! - Proof: Read back from this Rust, the output of the body equal the derived expressions in
 //!   exact algebra, by exactly the operations that are counted.
 //! - Rounding: largest error 2.82 units in the last place; at 99 of 100 points at most 1.57.
-//! - Command: `sextic generate derivations/he-macdonald-2017.md --out DIR --language rust`
+//! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - SHA-256 of the document:
 //!   `959dfaf58c95b25833ca2c94a3f2bbcc73f54a1b6a6542b50c9e0c9988d76883`
@@ -100,7 +100,7 @@ pub fn damping_coefficient_body<T: Arithmetic>(
 ///
 /// # Origin
 ///
-/// - Command: `sextic generate derivations/he-macdonald-2017.md --out DIR --language rust`
+/// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
 /// - SHA-256 of the document:
 ///   `959dfaf58c95b25833ca2c94a3f2bbcc73f54a1b6a6542b50c9e0c9988d76883`

@@ -41,8 +41,8 @@ pub enum Sign {
 pub enum Side {
     /// To the right, above it.
     Above,
-    /// To the left, below it.
-    Below,
+    /// To the right.
+    Beside,
 }
 
 /// The value that a case has of what is swept: a line across the figure.
@@ -96,7 +96,7 @@ impl Mark {
     ) -> Result<(), Box<dyn Error>> {
         let place = match self.side {
             Side::Above => (x + px(9), y - px(26)),
-            Side::Below => (x - px(22), y + px(8)),
+            Side::Beside => (x + px(12), y - px(9)),
         };
         Ok(area.draw(&Text::new(self.letter.clone(), place, (FONT, px(19))))?)
     }

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::unit::behind_numbers;
 use super::{CaseFiles, escape};
 use crate::report::gallery::Named;
 use crate::report::speeds::{self, SpeedsFound};
@@ -82,16 +83,19 @@ impl CaseView {
         let [file, table] = &case.files;
         Ok(CaseView {
             name: stability_figure::name(&comparison.case).to_owned(),
-            title: title(comparison),
+            title: behind_numbers(&title(comparison)),
             coefficient: comparison.coefficient_name(),
             figure: stability_figure::figure(comparison).svg()?,
             figures: case.figures.iter().map(figure).collect::<Result<_, _>>()?,
-            conclusion: conclusion(comparison),
+            conclusion: behind_numbers(&conclusion(comparison)),
             proof: PROOF,
             within: within_errors(comparison),
             within_worth: WITHIN,
-            speed_lines: speeds::lines(&case.speeds),
-            highest_speed: case.speeds.highest.to_string(),
+            speed_lines: speeds::lines(&case.speeds)
+                .into_iter()
+                .map(|(angles, words)| (angles, behind_numbers(&words)))
+                .collect(),
+            highest_speed: behind_numbers(&format!("{} m/s", case.speeds.highest)),
             speeds: speeds(&case.speeds)?,
             validity: case.validity.as_ref().ok().map(validity).transpose()?,
             no_validity: case.validity.as_ref().err().cloned(),
@@ -136,7 +140,7 @@ fn speeds(found: &SpeedsFound) -> Result<FigureView, String> {
     let conclusion = speeds::conclusion(found);
     Ok(FigureView {
         svg: speeds_figure::figure(found).svg()?,
-        caption: format!("{conclusion} {}", speeds_figure::caption(found)),
+        caption: behind_numbers(&format!("{conclusion} {}", speeds_figure::caption(found))),
     })
 }
 
@@ -168,7 +172,9 @@ fn unstable(own: &UnstableRange, comparison: &Comparison) -> UnstableView {
         angles: own.angles.to_string(),
         worst: format!("{}°", angle(own.worst)),
         damping: rounded(own.damping, 9),
-        frequency: mode_of.map_or(String::new(), |mode| frequency(mode, own.diverges, case)),
+        frequency: mode_of.map_or(String::new(), |mode| {
+            behind_numbers(&frequency(mode, own.diverges, case))
+        }),
         mode: mode_of.map_or(String::new(), mode),
         verdict: verdict.map_or(String::new(), |own| format!("{}: {own}", own.name())),
     }
