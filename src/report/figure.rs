@@ -2,6 +2,7 @@
 //! that are told apart without colour.
 
 mod axis;
+mod drawing;
 mod legend;
 mod map;
 mod mark;
@@ -13,10 +14,10 @@ mod subscript;
 use std::error::Error;
 use std::ops::Range;
 
-use plotters::coord::Shift;
 use plotters::prelude::*;
 
 use axis::{Axis, extent, tick, to_scale, with_margin};
+use drawing::{Area, FONT, draw_line, drawn, px};
 use legend::{Entry, Legend, Sample};
 use reading::Reading;
 use stroke::{dashes, ink};
@@ -69,8 +70,6 @@ pub struct Figure {
 /// The width in pixels, and the height of what stands below the legend.
 const WIDTH: i32 = 900;
 const PLOT: i32 = 488;
-/// Coordinates are whole numbers: so many of them a pixel keep curves smooth.
-const FINE: i32 = 4;
 /// Room above and below all that stands above the curves; for the title, for the line below it, and for the label of
 /// the case's own value.
 const GAP: i32 = 10;
@@ -81,10 +80,8 @@ const OWN: i32 = 16;
 const LEFT: i32 = 72;
 const RIGHT: i32 = 24;
 const BOTTOM: i32 = 56;
-const FONT: &str = "sans-serif";
 const SHADE: RGBColor = RGBColor(222, 222, 222);
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Axis, Axis>>;
 
 impl Figure {
@@ -251,46 +248,6 @@ impl Figure {
         }
         reading
     }
-}
-
-/// A line of text with its upper left corner at a place in pixels, smaller where so many pixels would not hold it.
-fn draw_line(
-    area: &Area<'_>,
-    text: &str,
-    (left, top): (i32, i32),
-    width: i32,
-    largest: i32,
-) -> Result<(), Box<dyn Error>> {
-    // Four ninths as wide as high, letter by letter.
-    let fitting = width * 9 / 4 / subscript::length(text).max(1) as i32;
-    let style = (FONT, px(fitting.min(largest)));
-    Ok(area.draw(&Text::new(text.to_string(), (px(left), px(top)), style))?)
-}
-
-/// A drawing of a width and height in pixels as SVG.
-fn drawn(
-    [width, height]: [i32; 2],
-    reading: &Reading,
-    draw: impl FnOnce(&Area<'_>) -> Result<(), Box<dyn Error>>,
-) -> Result<String, String> {
-    let mut svg = String::new();
-    let whole = || -> Result<(), Box<dyn Error>> {
-        let size = (px(width) as u32, px(height) as u32);
-        let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-        area.fill(&WHITE)?;
-        draw(&area)?;
-        Ok(area.present()?)
-    };
-    whole().map_err(|error| error.to_string())?;
-    // It is drawn finely, and shown in its size.
-    let size = |width: i32, height: i32| format!(r#"width="{width}" height="{height}""#);
-    let svg = svg.replacen(&size(px(width), px(height)), &size(width, height), 1);
-    Ok(reading.within(&subscript::set(&svg)))
-}
-
-/// So many pixels in the units of the drawing.
-fn px(pixels: i32) -> i32 {
-    FINE * pixels
 }
 
 #[cfg(test)]

@@ -39,7 +39,8 @@ fn all_figures_of_a_case_are_drawn() {
             assert!(texts.iter().any(|own| own == label), "{name}: {texts:?}");
         }
         // The title for who does not see it, and the one that is drawn.
-        let title = &texts[0];
+        let title = texts.iter().find(|own| !own.is_empty());
+        let title = title.expect("a title");
         assert!(title.ends_with(": detuned.toml"), "{name}: {title}");
         assert!(texts.iter().filter(|own| *own == title).count() == 2, "{name}: {texts:?}");
         assert!(!texts.iter().any(|own| own.contains("NaN")), "{name}");

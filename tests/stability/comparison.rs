@@ -383,9 +383,15 @@ fn no_two_figures_are_alike() {
         let step = line("alpha_deg = ").rsplit_once("step").expect("a step").1;
         let steps = (step, " = 10 }");
         let offsets = [line("L_g ").to_string(), "L_g = 0".to_string()];
-        let kept = line("free ").to_string();
-        let others = free.iter().filter(|_| kept == all_free);
-        for free in others.chain([&kept]) {
+        // A case that does not say what is free has all of it so.
+        let kept = text.lines().find(|own| own.starts_with("free "));
+        let kept = kept.unwrap_or("[wind]").to_string();
+        let is_all = kept == all_free || kept == "[wind]";
+        let others: Vec<String> = match kept.as_str() {
+            "[wind]" => free.iter().map(|own| format!("{own}\n[wind]")).collect(),
+            _ => free.iter().filter(|_| is_all).cloned().collect(),
+        };
+        for free in others.iter().chain([&kept]) {
             for offset in &offsets {
                 let edits = [steps, (offsets[0].as_str(), offset), (kept.as_str(), free)];
                 let (case, table) = shipped_case(&name, &edits);
