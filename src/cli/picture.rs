@@ -53,9 +53,7 @@ impl Kind {
         match self {
             Kind::Svg => Ok(Pictures::Svg),
             #[cfg(feature = "pictures")]
-            Kind::Png | Kind::Pdf => {
-                Ok(Pictures::Converted(self, conversion::Conversion::new()?))
-            }
+            Kind::Png | Kind::Pdf => Ok(Pictures::Converted(self, conversion::Conversion::new()?)),
             #[cfg(not(feature = "pictures"))]
             Kind::Png | Kind::Pdf => Err(format!(
                 "this build writes no {}: build it with `--features pictures`, or write SVG",
@@ -78,7 +76,8 @@ impl Plot {
             None => Some(&Kind::Svg),
             Some(ending) => kinds.find(|own| ending == own.ending()),
         };
-        let kind = *kind.ok_or("it is SVG: give it a name that ends in .svg, or in .png or .pdf")?;
+        let kind =
+            *kind.ok_or("it is SVG: give it a name that ends in .svg, or in .png or .pdf")?;
         if cfg!(not(feature = "pictures")) {
             kind.pictures()?;
         }

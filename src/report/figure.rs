@@ -8,8 +8,8 @@ mod map;
 mod mark;
 mod patch;
 mod reading;
+mod script;
 mod stroke;
-mod subscript;
 
 use std::error::Error;
 use std::ops::Range;
@@ -101,7 +101,11 @@ impl Figure {
             let curves = own.curves.iter().map(|curve| curve.pieces.clone());
             let patches = own.patches.iter().map(|patch| patch.pieces.clone());
             let places: Vec<_> = own.marks.iter().map(|mark| mark.place).collect();
-            (curves.collect::<Vec<_>>(), patches.collect::<Vec<_>>(), places)
+            (
+                curves.collect::<Vec<_>>(),
+                patches.collect::<Vec<_>>(),
+                places,
+            )
         };
         [&self.x_label, &self.y_label] == [&other.x_label, &other.y_label]
             && drawn(self) == drawn(other)
@@ -157,7 +161,11 @@ impl Figure {
 
     /// The height of all that stands above the curves.
     fn head(&self) -> i32 {
-        let subtitle = if self.subtitle.is_empty() { 0 } else { SUBTITLE };
+        let subtitle = if self.subtitle.is_empty() {
+            0
+        } else {
+            SUBTITLE
+        };
         let own = if self.own.is_some() { OWN } else { 0 };
         GAP + TITLE + subtitle + self.legend().height() + own + GAP
     }
@@ -299,7 +307,10 @@ mod tests {
             assert!(root.attribute("role") == Some("img") && read[0].has_tag_name("title"));
             let description = texts.iter().find(|own| own.starts_with("of L_g."));
             let description = description.expect("a description");
-            assert!(description.contains("Horizontal axis: x_1 and x_2"), "{description}");
+            assert!(
+                description.contains("Horizontal axis: x_1 and x_2"),
+                "{description}"
+            );
         }
     }
 }

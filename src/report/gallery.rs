@@ -41,7 +41,8 @@ impl Gallery {
 
     fn leave_out(&mut self, names: &[&'static str], why: &str) {
         let names = names.iter();
-        self.left_out.extend(names.map(|own| (*own, why.to_string())));
+        self.left_out
+            .extend(names.map(|own| (*own, why.to_string())));
     }
 }
 
@@ -143,7 +144,10 @@ fn without_wind(case: &Case, gallery: &mut Gallery) {
         return;
     }
     for (place, own) in trajectories.into_iter().enumerate() {
-        gallery.add(own, trajectory::figure(place + 1, eccentricity, stability_figure::name(case)));
+        gallery.add(
+            own,
+            trajectory::figure(place + 1, eccentricity, stability_figure::name(case)),
+        );
     }
 }
 
@@ -162,4 +166,3 @@ fn by_mode(points: impl Fn(usize) -> Vec<Option<(f64, f64)>>) -> Vec<Curve> {
     let curves = MODES.into_iter().enumerate().map(curve);
     curves.filter(|curve| !curve.pieces.is_empty()).collect()
 }
-

@@ -39,7 +39,10 @@ pub fn figure(found: &SpeedsFound) -> Figure {
     let mut patches: Vec<Patch> = PATCHES.map(patch).into();
     patches.retain(|own| !own.pieces.is_empty());
     Figure {
-        title: titled("Critical wind speeds against the angle of attack", &found.case),
+        title: titled(
+            "Critical wind speeds against the angle of attack",
+            &found.case,
+        ),
         subtitle: set(
             &found.case,
             &format!(

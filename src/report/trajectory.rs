@@ -46,7 +46,13 @@ pub fn figure(mode: usize, eccentricity: f64, name: &str) -> Figure {
         label: label.into(),
     };
     let mut marks = vec![
-        mark(&elastic_centre, Sign::Ring, "O", Side::Beside, "O, elastic centre"),
+        mark(
+            &elastic_centre,
+            Sign::Ring,
+            "O",
+            Side::Beside,
+            "O, elastic centre",
+        ),
         mark(
             &point(eccentricity, 0.0),
             Sign::Disc,
@@ -97,7 +103,11 @@ fn words(centre: Option<f64>) -> String {
         Some(distance) => format!(
             "turns about C, {:.2} r from O, {}",
             distance.abs(),
-            if distance > 0.0 { "towards G" } else { "away from G" }
+            if distance > 0.0 {
+                "towards G"
+            } else {
+                "away from G"
+            }
         ),
         None => "moves along the line from O to G".into(),
     }

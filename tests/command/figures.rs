@@ -18,9 +18,15 @@ fn all_figures_of_a_case_are_drawn() {
         list.lines().map(|path| (name(path), texts(path))).collect();
     let expected = [
         ("frequencies_without_wind", ["mode 1", "mode 3"]),
-        ("trajectory_of_mode_1", ["path of O", "C, centre of rotation"]),
+        (
+            "trajectory_of_mode_1",
+            ["path of O", "C, centre of rotation"],
+        ),
         ("trajectory_of_mode_2", ["path of O", "G, mass centre"]),
-        ("trajectory_of_mode_3", ["path of O", "C, centre of rotation"]),
+        (
+            "trajectory_of_mode_3",
+            ["path of O", "C, centre of rotation"],
+        ),
         ("stability", ["uniform form", "unstable"]),
         ("damping_of_modes", ["mode 2", "unstable"]),
         ("frequencies_of_modes", ["mode 2", "frequency (Hz)"]),
@@ -42,7 +48,10 @@ fn all_figures_of_a_case_are_drawn() {
         let title = texts.iter().find(|own| !own.is_empty());
         let title = title.expect("a title");
         assert!(title.ends_with(": detuned.toml"), "{name}: {title}");
-        assert!(texts.iter().filter(|own| *own == title).count() == 2, "{name}: {texts:?}");
+        assert!(
+            texts.iter().filter(|own| *own == title).count() == 2,
+            "{name}: {texts:?}"
+        );
         assert!(!texts.iter().any(|own| own.contains("NaN")), "{name}");
     }
     let (status, _, err) = run(&["figures", "none.toml", "--out", out_path]);
@@ -52,8 +61,12 @@ fn all_figures_of_a_case_are_drawn() {
 
 /// What is said to be left out.
 fn left_out(err: &str) -> Vec<&str> {
-    let lines = err.lines().filter_map(|line| line.strip_prefix("Left out: "));
-    lines.filter_map(|line| line.split(", since ").next()).collect()
+    let lines = err
+        .lines()
+        .filter_map(|line| line.strip_prefix("Left out: "));
+    lines
+        .filter_map(|line| line.split(", since ").next())
+        .collect()
 }
 
 #[test]
@@ -64,7 +77,10 @@ fn what_a_case_has_nothing_to_show_for_is_left_out() {
     let (status, list, err) = run(&arguments);
     assert_eq!(status, Some(0), "{err}");
     assert_eq!(list.lines().count(), 2, "{list}");
-    assert!(list.contains("stability.svg") && list.contains("frequencies_of_modes.svg"), "{list}");
+    assert!(
+        list.contains("stability.svg") && list.contains("frequencies_of_modes.svg"),
+        "{list}"
+    );
     assert_eq!(left_out(&err).len(), 9, "{err}");
     let (status, _, err) = run(&[
         "figures",
@@ -79,10 +95,16 @@ fn what_a_case_has_nothing_to_show_for_is_left_out() {
 fn what_would_draw_the_same_is_left_out() {
     let folder = folder("same_figures");
     let (case, out) = (folder.join("light.toml"), folder.join("drawn"));
-    let (case, out) = (case.to_str().expect("a path"), out.to_str().expect("a path"));
+    let (case, out) = (
+        case.to_str().expect("a path"),
+        out.to_str().expect("a path"),
+    );
     let (status, list, err) = run(&["figures", case, "--out", out]);
     assert_eq!((status, list.lines().count()), (Some(0), 10), "{err}");
-    assert!(err.contains("Left out: closed_form, since it would draw the same as stability"), "{err}");
+    assert!(
+        err.contains("Left out: closed_form, since it would draw the same as stability"),
+        "{err}"
+    );
     let (status, list, err) = run(&["figures", case, "--out", out, "--set", "L_g=0"]);
     assert_eq!((status, list.lines().count()), (Some(0), 6), "{err}");
     let expected = [
@@ -103,10 +125,16 @@ fn a_build_without_pictures_says_how_to_get_them() {
     let case = "derivations/cases/square.toml";
     let (status, list, err) = run(&["figures", case, "--out", out_path, "--format", "pdf"]);
     assert_eq!((status, list.as_str()), (Some(2), ""), "{err}");
-    assert!(err.contains("--features pictures") && !out.exists(), "{err}");
+    assert!(
+        err.contains("--features pictures") && !out.exists(),
+        "{err}"
+    );
     let plot = out.with_extension("png");
     let (status, _, err) = run(&["stability", case, "--plot", plot.to_str().expect("a path")]);
-    assert!(status == Some(2) && err.contains("--features pictures"), "{err}");
+    assert!(
+        status == Some(2) && err.contains("--features pictures"),
+        "{err}"
+    );
     assert!(!plot.exists());
 }
 
@@ -121,13 +149,19 @@ fn pictures_are_made_of_the_drawings() {
     let draw = |format: &str| {
         let (status, list, err) = run(&["figures", case, "--out", out_path, "--format", format]);
         assert_eq!(status, Some(0), "{err}");
-        let files = list.lines().map(|path| std::fs::read(path).expect("a picture"));
+        let files = list
+            .lines()
+            .map(|path| std::fs::read(path).expect("a picture"));
         files.collect::<Vec<Vec<u8>>>()
     };
     for (format, head) in [("png", &b"\x89PNG\r\n"[..]), ("pdf", b"%PDF-")] {
         let (pictures, again) = (draw(format), draw(format));
         assert!(pictures.len() == 10 && pictures == again, "{format}");
-        assert!(pictures.iter().all(|own| own.starts_with(head) && own.len() > 5000));
+        assert!(
+            pictures
+                .iter()
+                .all(|own| own.starts_with(head) && own.len() > 5000)
+        );
     }
     let size = std::fs::read(out.join("stability.png")).expect("a picture");
     // Width in a PNG: bytes 16 to 19.

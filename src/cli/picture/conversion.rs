@@ -75,7 +75,8 @@ impl Conversion {
         let title = elements().find(|own| own.has_tag_name((SVG, "title")));
         let title = title.and_then(|own| own.text()).unwrap_or_default();
         let texts = elements().filter(|own| own.has_tag_name((SVG, "text")));
-        let tree = Tree::from_xmltree(&document, &self.options).map_err(|error| error.to_string())?;
+        let tree =
+            Tree::from_xmltree(&document, &self.options).map_err(|error| error.to_string())?;
         let set = all_set(tree.root())?;
         match set == texts.count() {
             true => Ok((tree, title.to_string())),
@@ -94,7 +95,10 @@ fn all_set(group: &Group) -> Result<usize, String> {
             Node::Group(inner) => count += all_set(inner)?,
             Node::Text(text) => {
                 count += 1;
-                let glyphs = text.layouted().iter().flat_map(|span| &span.positioned_glyphs);
+                let glyphs = text
+                    .layouted()
+                    .iter()
+                    .flat_map(|span| &span.positioned_glyphs);
                 let mut missing = glyphs.filter(|glyph| glyph.id.0 == 0);
                 if let Some(glyph) = missing.next() {
                     return Err(format!(

@@ -55,6 +55,9 @@ mod tests {
     #[test]
     fn that_no_font_is_found_is_said() {
         let error = with_sans_serif(Database::new()).expect_err("no font");
-        assert!(error.contains("no font") && error.contains("DejaVu Sans"), "{error}");
+        assert!(
+            error.contains("no font") && error.contains("DejaVu Sans"),
+            "{error}"
+        );
     }
 }

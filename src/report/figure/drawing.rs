@@ -6,7 +6,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 
 use super::reading::Reading;
-use super::subscript;
+use super::script;
 
 /// What is drawn on; its coordinates are parts of pixels.
 pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -25,7 +25,7 @@ pub(super) fn draw_line(
     largest: i32,
 ) -> Result<(), Box<dyn Error>> {
     // Four ninths as wide as high, letter by letter.
-    let fitting = width * 9 / 4 / subscript::length(text).max(1) as i32;
+    let fitting = width * 9 / 4 / script::length(text).max(1) as i32;
     let style = (FONT, px(fitting.min(largest)));
     Ok(area.draw(&Text::new(text.to_string(), (px(left), px(top)), style))?)
 }
@@ -48,7 +48,7 @@ pub(super) fn drawn(
     // It is drawn finely, and shown in its size.
     let size = |width: i32, height: i32| format!(r#"width="{width}" height="{height}""#);
     let svg = svg.replacen(&size(px(width), px(height)), &size(width, height), 1);
-    Ok(reading.within(&subscript::set(&svg)))
+    Ok(reading.within(&script::set(&svg)))
 }
 
 /// So many pixels in the units of the drawing.

@@ -7,7 +7,7 @@ use plotters::prelude::*;
 use super::mark::Sign;
 use super::patch::Fill;
 use super::stroke::Stroke;
-use super::{Area, FONT, px, subscript};
+use super::{Area, FONT, px, script};
 
 /// Samples with their names.
 pub(super) struct Legend<'a> {
@@ -68,7 +68,7 @@ impl Legend<'_> {
 impl Entry<'_> {
     /// In pixels. Fonts are the viewer's: room for wide letters.
     fn width(&self) -> i32 {
-        LENGTH + GAPS[0] + 7 * subscript::length(self.label) as i32 + GAPS[1]
+        LENGTH + GAPS[0] + 7 * script::length(self.label) as i32 + GAPS[1]
     }
 
     /// Draws it from a place in pixels on, which lies in the middle of its height.

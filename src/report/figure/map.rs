@@ -8,7 +8,7 @@ use super::axis::{Axis, power};
 use super::mark::Sign;
 use super::reading::Reading;
 use super::stroke::{Stroke, ink};
-use super::{Area, FONT, draw_line, drawn, px, subscript};
+use super::{Area, FONT, draw_line, drawn, px, script};
 
 /// Maps over the same two quantities, both on logarithmic axes.
 #[derive(Clone, Debug, PartialEq)]
@@ -187,7 +187,7 @@ impl Map {
         draw_line(head, &self.subtitle, (MARGIN, 36), room, 15)?;
         let (top, bottom) = (px(62), px(76));
         text(self.shade.clone(), (px(MARGIN), top), 14)?;
-        let mut left = px(MARGIN + 12 + 7 * subscript::length(&self.shade) as i32);
+        let mut left = px(MARGIN + 12 + 7 * script::length(&self.shade) as i32);
         for (place, grey) in SHADES.into_iter().enumerate() {
             let corners = [(left, top), (left + px(34), bottom)];
             head.draw(&Rectangle::new(
@@ -204,7 +204,7 @@ impl Map {
         left += px(24);
         let label = |left: &mut i32, label: &str| {
             let place = (*left + px(34), top);
-            *left += px(58 + 7 * subscript::length(label) as i32);
+            *left += px(58 + 7 * script::length(label) as i32);
             text(label.to_string(), place, 14)
         };
         for shift in [0, 7, 14] {

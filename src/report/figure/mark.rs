@@ -6,7 +6,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::stroke::ink;
-use super::{Area, FONT, LEFT, RIGHT, WIDTH, px, subscript};
+use super::{Area, FONT, LEFT, RIGHT, WIDTH, px, script};
 
 /// A point that is marked.
 #[derive(Clone, Debug, PartialEq)]
@@ -109,7 +109,7 @@ impl Own {
         area: &Area<'_>,
         (x, y): (i32, i32),
     ) -> Result<(), Box<dyn Error>> {
-        let half = px(7 * subscript::length(&self.label) as i32 / 2);
+        let half = px(7 * script::length(&self.label) as i32 / 2);
         let anchor = match x {
             _ if x - half < px(LEFT) => HPos::Left,
             _ if x + half > px(WIDTH - RIGHT) => HPos::Right,

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::axis::tick;
-use super::subscript;
+use super::script;
 use crate::report::markup::{escape, visible};
 
 /// A title, and a description in sentences.
@@ -16,7 +16,7 @@ impl Reading {
     /// What is shown, and what it is shown for.
     pub fn new(title: &str, subtitle: &str) -> Self {
         let mut reading = Reading {
-            title: subscript::plain(title),
+            title: script::plain(title),
             sentences: Vec::new(),
         };
         if !subtitle.is_empty() {
@@ -27,7 +27,7 @@ impl Reading {
 
     /// One more sentence.
     pub fn say(&mut self, sentence: &str) {
-        self.sentences.push(subscript::plain(sentence));
+        self.sentences.push(script::plain(sentence));
     }
 
     /// What an axis shows.

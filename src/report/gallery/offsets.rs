@@ -47,8 +47,8 @@ fn largest_offset(usual: f64, case: &Case) -> f64 {
 /// Fig. 11: the frequencies of Eq. (15) against the eccentricity.
 pub(super) fn frequencies(case: &Case) -> Figure {
     let largest = largest_offset(LARGEST_WITHOUT_WIND, case);
-    let offsets = (0..=STEPS_WITHOUT_WIND)
-        .map(|step| largest * step as f64 / STEPS_WITHOUT_WIND as f64);
+    let offsets =
+        (0..=STEPS_WITHOUT_WIND).map(|step| largest * step as f64 / STEPS_WITHOUT_WIND as f64);
     // The angle of the mass centre does not matter.
     let modes: Vec<_> = offsets
         .map(|offset| (offset, TunedSection::new(offset, 0.0).modes()))
@@ -149,4 +149,3 @@ pub(super) fn offset(
     gallery.add("frequencies_against_offset", frequency);
     Ok(())
 }
-

@@ -49,7 +49,9 @@ fn end_of_exponent(text: &str) -> usize {
 /// Factors side by side.
 fn factors(text: &str) -> String {
     let text: String = text.split_whitespace().collect();
-    escape(&text).replace(['*', '·'], THIN).replace('-', "\u{2212}")
+    escape(&text)
+        .replace(['*', '·'], THIN)
+        .replace('-', "\u{2212}")
 }
 
 #[cfg(test)]

@@ -152,7 +152,10 @@ mod tests {
             (r"\frac{a}{\omega_{n}^{2}}", 4),
             (r"a\,\dot{x} + \left(b\right)", 6),
             ("", 0),
-            (r"a\begin{bmatrix} b & c + d \\ \begin{bmatrix} e \\ f \end{bmatrix} & g \end{bmatrix} h", 6),
+            (
+                r"a\begin{bmatrix} b & c + d \\ \begin{bmatrix} e \\ f \end{bmatrix} & g \end{bmatrix} h",
+                6,
+            ),
         ] {
             assert_eq!(signs(formula), expected, "{formula}");
         }
@@ -175,7 +178,9 @@ mod tests {
         assert_eq!(brackets(&tall), format!(r"\Bigl({tall}\Bigr)"));
         let matrix = format!(r"{long} \begin{{bmatrix}} a \end{{bmatrix}}");
         assert!(taken_at(&matrix, "b").ends_with(r"\Biggr)\Biggr|_{b}"));
-        let rows = [r"\begin{bmatrix} a + b + c"; 1].concat() + &r" \\ a + b + c".repeat(30) + r" \end{bmatrix}";
+        let rows = [r"\begin{bmatrix} a + b + c"; 1].concat()
+            + &r" \\ a + b + c".repeat(30)
+            + r" \end{bmatrix}";
         assert_eq!(brackets(&rows), format!(r"\left({rows}\right)"));
         assert_eq!(quotient("a", "a", "b"), r"\frac{a}{b}");
         assert_eq!(root("a"), r"\sqrt{a}");
