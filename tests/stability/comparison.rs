@@ -394,7 +394,13 @@ fn no_two_figures_are_alike() {
             _ => free.iter().filter(|_| is_all).cloned().collect(),
         };
         for free in others.iter().chain([&kept]) {
-            for offset in &offsets {
+            // Without an offset it does not matter what else is free.
+            let offsets = if *free == kept {
+                &offsets[..]
+            } else {
+                &offsets[..1]
+            };
+            for offset in offsets {
                 let edits = [steps, (offsets[0].as_str(), offset), (kept.as_str(), free)];
                 let (case, table) = shipped_case(&name, &edits);
                 let gallery = gallery::figures(&case, &table).expect("figures");
@@ -414,7 +420,7 @@ fn no_two_figures_are_alike() {
             }
         }
     }
-    assert!(count > 250 && same > 0, "{count} {same}");
+    assert!(count > 150 && same > 0, "{count} {same}");
 }
 
 /// All that is drawn, without texts.
