@@ -62,7 +62,7 @@ mod tests {
             set("<text>10^{3}</text>"),
             r#"<text>10<tspan dy="-0.53em" font-size="75%">3</tspan><tspan dy="0.4em"></tspan></text>"#
         );
-        assert_eq!(length("δ_{g} = 10^{−3}"), 8);
+        assert_eq!(length("δ_{g} = 10^{−3}"), 9);
         assert_eq!(plain("L_{g}/10^{3}"), "L_g/10^3");
     }
 }
