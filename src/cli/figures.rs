@@ -8,17 +8,18 @@ use crate::report::gallery;
 
 use super::Outcome;
 use super::case::{Overrides, case_and_table, refuse};
-use super::file::{spare, write_text};
-use super::output::{finish, reason, wrong};
+use super::file::{spare, write_whole};
+use super::output::{complain, finish, reason, wrong};
+use super::picture::Kind;
 
-/// Draws the paper's kinds of figures for a case, as SVG
+/// Draws the paper's kinds of figures for a case
 ///
-/// Figs. 11 and 12, which rest on no measurement, are drawn as they are: frequencies and trajectories
-/// without wind. The others are drawn for the case: its stability by every method; with and without
-/// inertial coupling (as Figs. 3 to 6 and 9); modes against the offset of the mass centre, at the worst
-/// angle (as Fig. 7); and the closed form against the state matrix, for the section perfectly tuned and
-/// without structural damping (as Figs. 13 and 14). What the case has nothing to show for is left out:
-/// eccentricity where only one coordinate is free or the turn is held, closed forms where not all are free.
+/// Its stability by every method; with and without inertial coupling (as Figs. 3 to 6 and 9); the damping
+/// and the frequency of every mode; modes against the offset of the mass centre, at the worst angle (as
+/// Fig. 7). For the section perfectly tuned and without structural damping: frequencies and trajectories
+/// without wind (as Figs. 11 and 12), and the closed form beside the state matrix (as Figs. 13 and 14).
+/// The offset of the case is marked. What the case has nothing to show for is left out, and so is what would
+/// draw the same as another figure; both are said on standard error.
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// A case file: `sextic stability --help` shows one
@@ -31,6 +32,10 @@ pub struct Arguments {
     /// The folder for the figures, which is made if need be
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
+
+    /// What the figures are written as
+    #[arg(long, value_enum, default_value_t = Kind::Svg)]
+    format: Kind,
 }
 
 /// Draws all figures of a case and names their files.
@@ -39,14 +44,19 @@ pub fn run(arguments: &Arguments) -> Outcome {
         Ok(both) => both,
         Err(outcome) => return outcome,
     };
-    let figures = match gallery::figures(&case, &table) {
-        Ok(figures) => figures,
+    let pictures = match arguments.format.pictures() {
+        Ok(pictures) => pictures,
+        Err(reason) => return wrong(&reason, "`--format svg` is in every build"),
+    };
+    let gallery = match gallery::figures(&case, &table) {
+        Ok(gallery) => gallery,
         Err(error) => return refuse(&error),
     };
     let folder = &arguments.out;
     let read = [&arguments.case, Path::new(table.file())];
-    for (name, _) in &figures {
-        if let Err(outcome) = spare(&folder.join(format!("{name}.svg")), &read) {
+    let path = |name: &str| folder.join(format!("{name}.{}", arguments.format.ending()));
+    for (name, _) in &gallery.figures {
+        if let Err(outcome) = spare(&path(name), &read) {
             return outcome;
         }
     }
@@ -60,15 +70,18 @@ pub fn run(arguments: &Arguments) -> Outcome {
         return unwritable(folder, &reason(&error));
     }
     let mut list = String::new();
-    for (name, figure) in figures {
-        let path = folder.join(format!("{name}.svg"));
-        let written = figure
-            .svg()
-            .and_then(|svg| write_text(&path, &svg).map_err(|error| reason(&error)));
+    for (name, figure) in gallery.figures {
+        let path = path(&name);
+        let made = figure.svg().and_then(|svg| pictures.made(svg));
+        let written =
+            made.and_then(|made| write_whole(&path, made).map_err(|error| reason(&error)));
         if let Err(reason) = written {
             return unwritable(&path, &reason);
         }
         list += &format!("{}\n", path.display());
+    }
+    for (name, why) in gallery.left_out {
+        complain(&format!("Left out: {name}, since {why}\n"));
     }
     finish(&list, Outcome::AsExpected)
 }

@@ -119,9 +119,9 @@ pub fn is_one_file(one: &Path, other: &Path) -> bool {
 /// # Errors
 ///
 /// If the folder is not there or cannot be written to, or the disk is full.
-pub fn write_text(path: &Path, text: &str) -> io::Result<()> {
+pub fn write_whole(path: &Path, content: impl AsRef<[u8]>) -> io::Result<()> {
     match fs::metadata(path) {
-        Ok(known) if !known.is_file() => return fs::write(path, text),
+        Ok(known) if !known.is_file() => return fs::write(path, content),
         _ => {}
     }
     // Behind a link it is the file that is replaced.
@@ -130,14 +130,14 @@ pub fn write_text(path: &Path, text: &str) -> io::Result<()> {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
-    let file = stage(folder, text)?;
+    let file = stage(folder, content.as_ref())?;
     file.persist(&path).map_err(|error| error.error)?;
     Ok(())
 }
 
 /// Writes what was made; the outcome is that after what is wrong was written to standard error.
-pub fn write_made(path: &Path, made: Result<String, String>) -> Result<(), Outcome> {
-    let written = made.and_then(|text| write_text(path, &text).map_err(|error| reason(&error)));
+pub fn write_made(path: &Path, made: Result<impl AsRef<[u8]>, String>) -> Result<(), Outcome> {
+    let written = made.and_then(|own| write_whole(path, own).map_err(|error| reason(&error)));
     written.map_err(|reason| {
         wrong(
             &format!("`{}` cannot be written: {reason}", shown(path)),

@@ -85,7 +85,7 @@ pub fn write(folder: &Path, files: &[File], force: bool) -> Result<Written, Trou
     forget_interrupted(folder);
     let mut staged = Vec::new();
     for (path, text) in changed {
-        staged.push((stage(folder, text).map_err(at(folder))?, path));
+        staged.push((stage(folder, text.as_bytes()).map_err(at(folder))?, path));
     }
     for (text, path) in staged {
         text.persist(&path)
@@ -168,14 +168,14 @@ fn forget_interrupted(folder: &Path) {
     }
 }
 
-/// A text on the disk that has no name yet.
+/// What a file holds, on the disk without a name yet.
 ///
 /// # Errors
 ///
 /// If the folder cannot be written to, or the disk is full.
-pub fn stage(folder: &Path, text: &str) -> io::Result<NamedTempFile> {
+pub fn stage(folder: &Path, content: &[u8]) -> io::Result<NamedTempFile> {
     let mut file = staged(folder)?;
-    file.write_all(text.as_bytes())?;
+    file.write_all(content)?;
     file.as_file().sync_all()?;
     Ok(file)
 }

@@ -22,6 +22,8 @@ mod new;
 mod output;
 #[cfg(feature = "stability")]
 mod partial;
+#[cfg(feature = "stability")]
+mod picture;
 mod regular_file;
 #[cfg(feature = "stability")]
 mod report;

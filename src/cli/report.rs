@@ -85,7 +85,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         let (case, table, files) =
             set_case_and_files(path, &arguments.set, std::slice::from_ref(&arguments.out))?;
         let comparison = compare(&case, &table).map_err(|error| refuse(&error))?;
-        let figures = of_case(&comparison, &table).map_err(|error| refuse(&error))?;
+        let gallery = of_case(&comparison, &table).map_err(|error| refuse(&error))?;
         let speeds = SpeedsFound {
             angles: speeds_of(&case, &table, USUAL_HIGHEST).map_err(|error| refuse(&error))?,
             case: case.clone(),
@@ -95,7 +95,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         let validity = validity(&case, &table).map_err(|error| error.what);
         Ok(CaseFiles {
             comparison,
-            figures,
+            figures: gallery.figures,
             speeds,
             validity,
             files,

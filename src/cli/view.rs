@@ -6,8 +6,9 @@ use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
 use super::Outcome;
-use super::file::{promising, write_made};
+use super::file::write_made;
 use super::output::{finish, width};
+use super::picture::Plot;
 
 /// How a case is shown.
 #[derive(Args, Debug)]
@@ -16,9 +17,9 @@ pub struct View {
     #[arg(long, value_enum, default_value_t = Form::Text)]
     format: Form,
 
-    /// Also draw them, as SVG
-    #[arg(long, value_name = "FILE.svg", value_parser = PathBufValueParser::new().try_map(svg))]
-    plot: Option<PathBuf>,
+    /// Also draw them: as SVG, or in builds with pictures as PNG or PDF, by what the name ends in
+    #[arg(long, value_name = "FILE.svg", value_parser = PathBufValueParser::new().try_map(Plot::new))]
+    plot: Option<Plot>,
 
     /// How many columns text may fill (at least 40); as many as the terminal has if not given
     #[arg(long, value_name = "COLUMNS", value_parser = clap::value_parser!(u16).range(40..))]
@@ -39,7 +40,8 @@ enum Form {
 impl View {
     /// The files that are written beside standard output.
     pub fn outputs(&self) -> &[PathBuf] {
-        self.plot.as_slice()
+        let plot = self.plot.as_ref();
+        plot.map_or(&[], |own| std::slice::from_ref(&own.path))
     }
 
     /// Whether the results are a table, which has no place for what is odd about the input.
@@ -55,8 +57,8 @@ impl View {
         csv: impl FnOnce() -> String,
         json: impl FnOnce() -> String,
     ) -> Outcome {
-        if let Some(path) = &self.plot
-            && let Err(outcome) = write_made(path, figure())
+        if let Some(plot) = &self.plot
+            && let Err(outcome) = write_made(&plot.path, figure().and_then(|svg| plot.made(svg)))
         {
             return outcome;
         }
@@ -67,8 +69,4 @@ impl View {
         };
         finish(&written, Outcome::AsExpected)
     }
-}
-
-fn svg(path: PathBuf) -> Result<PathBuf, String> {
-    promising("svg", path)
 }

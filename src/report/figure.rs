@@ -2,21 +2,28 @@
 //! that are told apart without colour.
 
 mod axis;
+mod drawing;
+mod legend;
 mod map;
+mod mark;
 mod patch;
+mod reading;
+mod script;
 mod stroke;
-mod subscript;
 
 use std::error::Error;
 use std::ops::Range;
 
-use plotters::coord::Shift;
 use plotters::prelude::*;
 
 use axis::{Axis, extent, tick, to_scale, with_margin};
-use stroke::ink;
+use drawing::{Area, FONT, draw_line, drawn, px};
+use legend::{Entry, Legend, Sample};
+use reading::Reading;
+use stroke::{dashes, ink};
 
 pub use map::{Map, Panel};
+pub use mark::{Mark, Own, Side, Sign};
 pub use patch::{Fill, Patch};
 pub use stroke::Stroke;
 
@@ -36,6 +43,8 @@ pub struct Curve {
 pub struct Figure {
     /// What is shown.
     pub title: String,
+    /// What it is shown for, in a line below the title; empty if there is nothing to say.
+    pub subtitle: String,
     /// The quantity along the horizontal axis, with its unit.
     pub x_label: String,
     /// Whether the horizontal axis shows degrees, and is marked at parts of a right angle.
@@ -52,37 +61,58 @@ pub struct Figure {
     pub is_to_scale: bool,
     /// The curves, the first below the others.
     pub curves: Vec<Curve>,
+    /// Points that are marked, above the curves.
+    pub marks: Vec<Mark>,
+    /// The value that a case has of the quantity along the horizontal axis.
+    pub own: Option<Own>,
 }
 
-/// The size in pixels.
+/// The width in pixels, and the height of what stands below the legend.
 const WIDTH: i32 = 900;
-const HEIGHT: i32 = 560;
-/// Coordinates are whole numbers: so many of them a pixel keep curves smooth.
-const FINE: i32 = 4;
-/// Room for the title and the legend, above the curves.
-const HEAD: i32 = 72;
+const PLOT: i32 = 488;
+/// Room above and below all that stands above the curves; for the title, for the line below it, and for the label of
+/// the case's own value.
+const GAP: i32 = 10;
+const TITLE: i32 = 26;
+const SUBTITLE: i32 = 24;
+const OWN: i32 = 16;
 /// Room on the other sides of the curves.
 const LEFT: i32 = 72;
 const RIGHT: i32 = 24;
 const BOTTOM: i32 = 56;
-const FONT: &str = "sans-serif";
 const SHADE: RGBColor = RGBColor(222, 222, 222);
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Axis, Axis>>;
 
 impl Figure {
-    /// The figure as SVG.
+    /// The figure as SVG, with a title and a description for who does not see it.
     ///
     /// # Errors
     ///
     /// What the drawing library says.
     pub fn svg(&self) -> Result<String, String> {
-        drawn([WIDTH, HEIGHT], |area| self.draw(area))
+        let height = self.head() + PLOT;
+        drawn([WIDTH, height], &self.reading(), |area| self.draw(area))
+    }
+
+    /// Whether both draw the same over the same quantities, whatever they call it.
+    pub fn draws_the_same(&self, other: &Figure) -> bool {
+        let drawn = |own: &Figure| {
+            let curves = own.curves.iter().map(|curve| curve.pieces.clone());
+            let patches = own.patches.iter().map(|patch| patch.pieces.clone());
+            let places: Vec<_> = own.marks.iter().map(|mark| mark.place).collect();
+            (
+                curves.collect::<Vec<_>>(),
+                patches.collect::<Vec<_>>(),
+                places,
+            )
+        };
+        [&self.x_label, &self.y_label] == [&other.x_label, &other.y_label]
+            && drawn(self) == drawn(other)
     }
 
     fn draw(&self, area: &Area<'_>) -> Result<(), Box<dyn Error>> {
-        let (head, below) = area.split_vertically(px(HEAD));
+        let (head, below) = area.split_vertically(px(self.head()));
         self.draw_head(&head)?;
         let [x, y] = self.ranges();
         let mut chart = ChartBuilder::on(&below)
@@ -110,13 +140,34 @@ impl Figure {
             let zero = [(x.start, 0.0), (x.end, 0.0)];
             chart.draw_series([PathElement::new(zero, ink(BLACK, 1))])?;
         }
+        if let Some(own) = &self.own {
+            let line = [y.start, y.end].map(|end| chart.backend_coord(&(own.value, end)));
+            dashes(area, &line, [px(5), px(4)], ink(BLACK, 1))?;
+            own.draw_label(area, line[1])?;
+        }
         for curve in &self.curves {
             for piece in &curve.pieces {
                 let points = piece.iter().map(|point| chart.backend_coord(point));
                 curve.stroke.draw(area, &points.collect::<Vec<_>>())?;
             }
         }
+        for mark in &self.marks {
+            let place = chart.backend_coord(&mark.place);
+            mark.sign.draw(area, place)?;
+            mark.draw_letter(area, place)?;
+        }
         Ok(())
+    }
+
+    /// The height of all that stands above the curves.
+    fn head(&self) -> i32 {
+        let subtitle = if self.subtitle.is_empty() {
+            0
+        } else {
+            SUBTITLE
+        };
+        let own = if self.own.is_some() { OWN } else { 0 };
+        GAP + TITLE + subtitle + self.legend().height() + own + GAP
     }
 
     /// What x and y go over.
@@ -125,9 +176,11 @@ impl Figure {
             let curves = self.curves.iter().flat_map(|curve| &curve.pieces);
             let patches = self.patches.iter().flat_map(|patch| &patch.pieces);
             let corners = self.corners.iter().flatten();
-            curves.chain(patches).flatten().chain(corners)
+            let marks = self.marks.iter().map(|mark| &mark.place);
+            curves.chain(patches).flatten().chain(corners).chain(marks)
         };
-        let x = extent(points().map(|point| point.0));
+        let own = self.own.iter().map(|own| own.value);
+        let x = extent(points().map(|point| point.0).chain(own));
         // What is shaded ends at 0.
         let zero = self.shaded.iter().map(|_| 0.0);
         let y = extent(points().map(|point| point.1).chain(zero));
@@ -138,7 +191,7 @@ impl Figure {
         if !self.is_to_scale {
             return [x, y];
         }
-        let room = [WIDTH - LEFT - RIGHT, HEIGHT - HEAD - BOTTOM];
+        let room = [WIDTH - LEFT - RIGHT, PLOT - BOTTOM];
         to_scale(x, y, room.map(f64::from)).into()
     }
 
@@ -159,65 +212,50 @@ impl Figure {
         Ok(())
     }
 
-    /// The title, and the legend in one line below it.
+    /// The title, what it is shown for, and the legend.
     fn draw_head(&self, head: &Area<'_>) -> Result<(), Box<dyn Error>> {
-        let text = |text: &str, place, pixels| {
-            head.draw(&Text::new(text.to_string(), place, (FONT, px(pixels))))
-        };
-        // Four ninths as wide as high, letter by letter.
-        let room = (WIDTH - LEFT - RIGHT) * 9 / 4 / subscript::length(&self.title).max(1) as i32;
-        text(&self.title, (px(LEFT), px(12)), room.min(19))?;
-        let (mut left, middle, length) = (px(LEFT), px(52), px(36));
-        let label = |left: &mut i32, label: &str| {
-            let place = (*left + length + px(8), middle - px(6));
-            // Fonts are the viewer's: room for wide letters.
-            *left += length + px(32) + px(7) * subscript::length(label) as i32;
-            text(label, place, 15)
-        };
-        for curve in &self.curves {
-            let sample = curve.stroke.sample(length);
-            let points = sample.map(|place| (left + place, middle));
-            curve.stroke.draw(head, &points)?;
-            label(&mut left, &curve.label)?;
+        let mut top = GAP;
+        for (text, largest, height) in [(&self.title, 19, TITLE), (&self.subtitle, 15, SUBTITLE)] {
+            if !text.is_empty() {
+                draw_line(head, text, (LEFT, top), WIDTH - LEFT - RIGHT, largest)?;
+                top += height;
+            }
         }
-        if let Some(shaded) = &self.shaded {
-            let corners = [(left, middle - px(8)), (left + length, middle + px(8))];
-            head.draw(&Rectangle::new(corners, SHADE.filled()))?;
-            label(&mut left, shaded)?;
-        }
-        for patch in &self.patches {
-            let [right, top, bottom] = [left + length, middle - px(8), middle + px(8)];
-            let corners = [(left, top), (right, top), (right, bottom), (left, bottom)];
-            patch.fill.draw(head, &corners)?;
-            label(&mut left, &patch.label)?;
-        }
-        Ok(())
+        self.legend().draw(head, (LEFT, top))
     }
-}
 
-/// A drawing of a width and height in pixels as SVG.
-fn drawn(
-    [width, height]: [i32; 2],
-    draw: impl FnOnce(&Area<'_>) -> Result<(), Box<dyn Error>>,
-) -> Result<String, String> {
-    let mut svg = String::new();
-    let whole = || -> Result<(), Box<dyn Error>> {
-        let size = (px(width) as u32, px(height) as u32);
-        let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-        area.fill(&WHITE)?;
-        draw(&area)?;
-        Ok(area.present()?)
-    };
-    whole().map_err(|error| error.to_string())?;
-    // It is drawn finely, and shown in its size.
-    let size = |width: i32, height: i32| format!(r#"width="{width}" height="{height}""#);
-    let svg = svg.replacen(&size(px(width), px(height)), &size(width, height), 1);
-    Ok(subscript::set(&svg))
-}
+    /// What each curve, region and mark is.
+    fn legend(&self) -> Legend<'_> {
+        let entry = |sample, label| Entry { sample, label };
+        let curves = self.curves.iter();
+        let curves = curves.map(|own| entry(Sample::Line(own.stroke), &own.label));
+        let shaded = self.shaded.iter();
+        let shaded = shaded.map(|label| entry(Sample::Region(Fill::Shaded), label));
+        let patches = self.patches.iter();
+        let patches = patches.map(|own| entry(Sample::Region(own.fill), &own.label));
+        let marks = self.marks.iter();
+        let marks = marks.map(|own| entry(Sample::Point(own.sign), &own.label));
+        let entries = curves.chain(shaded).chain(patches).chain(marks);
+        Legend {
+            entries: entries.collect(),
+            width: WIDTH - LEFT - RIGHT,
+        }
+    }
 
-/// So many pixels in the units of the drawing.
-fn px(pixels: i32) -> i32 {
-    FINE * pixels
+    /// What is read out.
+    fn reading(&self) -> Reading {
+        let [x, y] = self.ranges();
+        let mut reading = Reading::new(&self.title, &self.subtitle);
+        reading.axis("Horizontal", &self.x_label, &x);
+        reading.axis("Vertical", &self.y_label, &y);
+        for Entry { sample, label } in &self.legend().entries {
+            reading.say(&format!("{}: {label}", sample.words()));
+        }
+        if let Some(own) = &self.own {
+            reading.say(&format!("Vertical dashed line: {}", own.label));
+        }
+        reading
+    }
 }
 
 #[cfg(test)]
@@ -230,7 +268,8 @@ mod tests {
             let stroke = Stroke::Dashed;
             let label = "a < b".into();
             let figure = Figure {
-                title: "T".into(),
+                title: "T < U".into(),
+                subtitle: "of L_{g}".into(),
                 x_label: "x_{1} and x_{2}".into(),
                 is_angle: true,
                 y_label: "y".into(),
@@ -243,13 +282,35 @@ mod tests {
                     stroke,
                     pieces,
                 }],
+                marks: vec![Mark {
+                    place: (0.0, 3.0),
+                    sign: Sign::Disc,
+                    letter: "G".into(),
+                    side: Side::Above,
+                    label: "the mass centre".into(),
+                }],
+                own: Some(Own {
+                    value: 2.0,
+                    label: "own".into(),
+                }),
             };
             let svg = figure.svg().expect("a figure");
-            assert!(svg.contains(r#"width="900" height="560""#) && svg.contains("a &lt; b"));
+            assert!(svg.contains(r#"width="900""#) && svg.contains("a &lt; b"));
             let drawing = roxmltree::Document::parse(&svg).expect("well-formed SVG");
             let texts = drawing.descendants().filter_map(|node| node.text());
             let texts: Vec<&str> = texts.map(str::trim).collect();
-            assert!(texts.contains(&"1") && texts.contains(&"and x") && texts.contains(&"2"));
+            for text in ["T < U", "1", "and x", "2", "G", "own", "the mass centre"] {
+                assert!(texts.contains(&text), "{text}: {texts:?}");
+            }
+            let root = drawing.root_element();
+            let read: Vec<_> = root.children().filter(|own| own.is_element()).collect();
+            assert!(root.attribute("role") == Some("img") && read[0].has_tag_name("title"));
+            let description = texts.iter().find(|own| own.starts_with("of L_g."));
+            let description = description.expect("a description");
+            assert!(
+                description.contains("Horizontal axis: x_1 and x_2"),
+                "{description}"
+            );
         }
     }
 }

@@ -12,6 +12,7 @@ mod prose;
 mod repetition;
 mod shown;
 mod statement;
+mod unit;
 
 use serde::Serialize;
 use tera::{Context, Tera};
@@ -22,6 +23,7 @@ use crate::stability::validity::Validity;
 use crate::verdict::audit::Audit;
 
 use super::gallery::Named;
+use super::markup::{escape, visible};
 use super::speeds::SpeedsFound;
 use case::CaseView;
 use document::DocumentView;
@@ -116,43 +118,4 @@ fn title(documents: &[DocumentView], case: Option<&CaseFiles>) -> String {
     }
     let titles: Vec<&str> = documents.iter().map(DocumentView::title).collect();
     titles.join("; ")
-}
-
-/// Text that means itself in HTML, between tags and in attributes.
-fn escape(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => escaped += "&amp;",
-            '<' => escaped += "&lt;",
-            '>' => escaped += "&gt;",
-            '"' => escaped += "&quot;",
-            '\'' => escaped += "&#39;",
-            _ => escaped.push(visible(character)),
-        }
-    }
-    escaped
-}
-
-/// A character that a page may hold: control codes are none.
-fn visible(character: char) -> char {
-    match character {
-        '\n' | '\t' => character,
-        '\u{FFFE}' | '\u{FFFF}' => char::REPLACEMENT_CHARACTER,
-        _ if character.is_control() => char::REPLACEMENT_CHARACTER,
-        _ => character,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn text_means_itself() {
-        assert_eq!(
-            escape("<a href=\"x\">'&'</a>\u{1b}"),
-            "&lt;a href=&quot;x&quot;&gt;&#39;&amp;&#39;&lt;/a&gt;\u{FFFD}"
-        );
-    }
 }

@@ -22,6 +22,8 @@ pub mod json;
 pub mod latex;
 pub mod markdown;
 #[cfg(feature = "stability")]
+mod markup;
+#[cfg(feature = "stability")]
 pub mod modes;
 #[cfg(feature = "stability")]
 pub mod mutation;

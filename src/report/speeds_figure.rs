@@ -6,7 +6,7 @@ use crate::stability::critical_speed::{SpeedRange, Speeds, Stability};
 use super::figure::{Curve, Figure, Fill, Patch, Stroke};
 use super::speeds::{SpeedsFound, alike, has, what_it_does};
 use super::stability::{given, with_stiffness};
-use super::stability_figure::name;
+use super::stability_figure::{set, titled};
 
 /// Where the section gallops, shaded, and where it diverges, darker, with the critical speeds around it; what
 /// is not decided is hatched.
@@ -39,11 +39,17 @@ pub fn figure(found: &SpeedsFound) -> Figure {
     let mut patches: Vec<Patch> = PATCHES.map(patch).into();
     patches.retain(|own| !own.pieces.is_empty());
     Figure {
-        title: format!(
-            "{}: wind speeds up to {} m/s{}",
-            name(&found.case),
-            found.highest,
-            with_stiffness(&found.case)
+        title: titled(
+            "Critical wind speeds against the angle of attack",
+            &found.case,
+        ),
+        subtitle: set(
+            &found.case,
+            &format!(
+                "all of them up to {} m/s, in exact arithmetic{}",
+                found.highest,
+                with_stiffness(&found.case)
+            ),
         ),
         x_label: "angle of attack α (degrees)".into(),
         is_angle: true,

@@ -113,6 +113,11 @@ fn order(value: f64) -> i32 {
 
 /// What a case is, in one line.
 pub fn title(comparison: &Comparison) -> String {
+    format!("{}: {}", comparison.case.title(), sweep(comparison))
+}
+
+/// The angles of a case, what is free, and the wind.
+pub fn sweep(comparison: &Comparison) -> String {
     let case = &comparison.case;
     let names: Vec<&str> = comparison.free().iter().map(|own| own.name()).collect();
     let free = match names.split_last() {
@@ -131,8 +136,7 @@ pub fn title(comparison: &Comparison) -> String {
         _ => String::new(),
     };
     format!(
-        "{}: {angles}; {free}; U = {} m/s{}",
-        case.title(),
+        "{angles}; {free}; U = {} m/s{}",
         given(case.parameters.wind_speed),
         with_stiffness(case)
     )

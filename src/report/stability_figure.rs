@@ -4,7 +4,7 @@ use crate::stability::case::Case;
 use crate::stability::comparison::{Cause, Comparison, Point};
 
 use super::figure::{Curve, Figure, Fill, Patch, Stroke};
-use super::stability::title;
+use super::stability::sweep;
 
 /// S against the angle of attack by the state matrix, the companion matrix, the closed forms and the uniform
 /// form; what is below 0 is unstable, and shaded.
@@ -34,11 +34,8 @@ pub fn figure(comparison: &Comparison) -> Figure {
         _ => "S_{3D}",
     };
     Figure {
-        title: {
-            let title = title(comparison);
-            let rest = title.strip_prefix(comparison.case.file.as_str());
-            format!("{}{}", name(&comparison.case), rest.unwrap_or_default())
-        },
+        title: titled("Stability by every method", &comparison.case),
+        subtitle: set(&comparison.case, &sweep(comparison)),
         x_label: "angle of attack α (degrees)".into(),
         is_angle: true,
         y_label: format!("{symbol} = −4m max Re λ / (ρDU), dimensionless"),
@@ -83,6 +80,20 @@ fn band(comparison: &Comparison) -> Option<Patch> {
         fill: Fill::Dark,
         pieces,
     })
+}
+
+/// What a figure shows, and of which case.
+pub fn titled(what: &str, case: &Case) -> String {
+    format!("{what}: {}", name(case))
+}
+
+/// What was set in a case, and what else is to be said of it.
+pub fn set(case: &Case, rest: &str) -> String {
+    let title = case.title();
+    match title.strip_prefix(case.file.as_str()).map(str::trim_start) {
+        None | Some("") => rest.to_string(),
+        Some(set) => format!("{set}; {rest}"),
+    }
 }
 
 /// The name of a case without its folder.

@@ -3,7 +3,7 @@
 use crate::stability::validity::{Form, Validity};
 
 use super::figure::{Map, Panel};
-use super::stability_figure::name;
+use super::stability_figure::{set, titled};
 
 /// The errors of the closed form and of both uniform forms over L_g/r and δ, with the case marked and what has
 /// the wrong sign hatched.
@@ -23,10 +23,16 @@ pub fn map(validity: &Validity) -> Map {
         false => "the case: e = 0, left of the map",
     };
     Map {
-        title: format!(
-            "{}, perfectly tuned and without structural damping: the worst of all {} angles",
-            name(&validity.case),
-            validity.angles
+        title: titled(
+            "Errors of the closed forms over eccentricity and wind",
+            &validity.case,
+        ),
+        subtitle: set(
+            &validity.case,
+            &format!(
+                "perfectly tuned and without structural damping; at each place the worst of all {} angles",
+                validity.angles
+            ),
         ),
         x_label: "e = L_{g} / r".into(),
         y_label: "δ = ρDU / (2mω_{n})".into(),

@@ -11,6 +11,7 @@ use sextic_evaluators::damping_coefficient::{DampingCoefficientInputs, damping_c
 use sextic_evaluators::exact_modes::ExactModesInputs;
 use sextic_evaluators::no_wind_modes::NoWindModesInputs;
 use sextic_evaluators::section_matrices::SectionMatricesInputs;
+use sextic_evaluators::small_motion::{SmallMotionAngles, SmallMotionInputs};
 use sextic_evaluators::small_quantities::{
     SmallQuantitiesInputs, SmallQuantitiesOutputs, small_quantities,
 };
@@ -126,6 +127,24 @@ impl Given<f64> {
         Given::new(parameters, f64::clone, |angles| {
             let sum: f64 = angles.iter().copied().sum();
             [sum.cos(), sum.sin()]
+        })
+    }
+
+    /// With a point of the body, at a distance from O and an angle from the line through O and G, and a motion.
+    #[allow(non_snake_case)]
+    pub fn small_motion_inputs(
+        &self,
+        L_b: f64,
+        angle: f64,
+        [a_x, a_y, a_theta]: [f64; 3],
+    ) -> SmallMotionInputs<f64> {
+        SmallMotionInputs::from(&SmallMotionAngles {
+            theta_0: self.parameters.attitude,
+            L_b,
+            beta_b: self.parameters.mass_centre_angle + angle,
+            a_x,
+            a_y,
+            a_theta,
         })
     }
 

@@ -53,6 +53,7 @@ pub mod state_matrix;
 pub mod system;
 pub mod tolerance;
 pub mod tracking;
+pub mod tuned_modes;
 pub mod uniform_form;
 pub mod validity;
 pub mod variable;

@@ -304,7 +304,7 @@ fn a_page_may_be_about_a_case_alone() {
     for said in [
         "Stability of scattered.toml",
         "Within the errors of the coefficients",
-        "Wind speeds up to 100 m/s, by the angle",
+        "Wind speeds up to 100\u{202F}m/s, by the angle",
         "--only-case --set U=14",
     ] {
         assert!(text.contains(said), "{said}");

@@ -290,9 +290,10 @@ fn the_offset_of_the_case_gives_its_modes() {
 }
 
 #[test]
-fn figures_without_a_case_are_those_of_the_eigenvectors() {
-    let (case, table) = shipped_case("tuned.toml", &[("step = 0.5", "step = 10")]);
-    let figures = gallery::figures(&case, &table).expect("figures");
+fn figures_without_wind_are_those_of_the_eigenvectors() {
+    let (case, table) = shipped_case("detuned.toml", &[("step = 0.5", "step = 10")]);
+    let gallery = gallery::figures(&case, &table).expect("figures");
+    let figures = gallery.figures;
     let names: Vec<&str> = figures.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(
         names,
@@ -310,25 +311,126 @@ fn figures_without_a_case_are_those_of_the_eigenvectors() {
             "closed_form",
         ]
     );
+    assert_eq!(gallery.left_out, []);
     // (L_g − r) ω² + r ω_n² and (L_g + r) ω² − r ω_n² vanish, Eq. (15).
     for (curve, sign) in [(0, -1.0), (2, 1.0)] {
         for (e, frequency) in &figures[0].1.curves[curve].pieces[0] {
             assert!((frequency * frequency * (1.0 + sign * e) - 1.0).abs() < 1e-12);
         }
     }
-    // In mode 1 the far ends of the lines stay at one point, to second order in the turn; in mode 2 all
-    // lines are parallel; in mode 3 the opposite ends stay.
-    for (mode, end) in [(1, 1.0), (3, -1.0)] {
-        for line in &figures[mode].1.curves[0].pieces {
+    let e = case.parameters.mass_centre_distance / case.parameters.radius_of_gyration;
+    for place in [0, 8, 9] {
+        let own = figures[place].1.own.as_ref().expect("the case is marked");
+        assert!((own.value - e).abs() < 1e-12, "{own:?}");
+    }
+    // (1) puts a point at a distance L under 30° from O at (−L cos 30°, L sin 30°).
+    let (sin, cos) = 30_f64.to_radians().sin_cos();
+    let on_line = |distance: f64| (-distance * cos, distance * sin);
+    let is_near = |one: (f64, f64), other: (f64, f64)| {
+        (one.0 - other.0).abs().max((one.1 - other.1).abs()) < 1e-12
+    };
+    // In modes 1 and 3 all lines of the body go through one point, which rests; in mode 2 they are parallel.
+    for (mode, centre) in [(1, Some(1.0)), (2, None), (3, Some(-1.0))] {
+        let figure = &figures[mode].1;
+        let places: Vec<(f64, f64)> = figure.marks.iter().map(|own| own.place).collect();
+        let expected = [Some(0.0), Some(e), centre];
+        let expected: Vec<_> = expected.into_iter().flatten().map(on_line).collect();
+        assert_eq!(places.len(), expected.len());
+        for (one, other) in places.into_iter().zip(expected) {
+            assert!(is_near(one, other), "mode {mode}: {one:?} {other:?}");
+        }
+        let lines = &figure.curves[0].pieces;
+        assert!(lines.len() > 10);
+        for line in lines {
             let [(x, y), (far_x, far_y)] = line[..] else {
                 panic!("a line has two ends");
             };
-            let centre = (x + end * (far_x - x), y + end * (far_y - y));
-            let (sin, cos) = 30_f64.to_radians().sin_cos();
-            let distance = (centre.0 + end * cos).hypot(centre.1 - end * sin);
-            assert!(distance < 0.5 * 0.4_f64.powi(2), "mode {mode}: {distance}");
+            match centre {
+                Some(distance) => {
+                    let end = if distance > 0.0 { line[1] } else { line[0] };
+                    assert!(is_near(end, on_line(distance)), "mode {mode}: {end:?}");
+                }
+                None => assert!(
+                    is_near((far_x - x, far_y - y), (0.5 * sin, 0.5 * cos))
+                        || is_near((far_x - x, far_y - y), (-0.5 * sin, -0.5 * cos))
+                ),
+            }
+        }
+        // O moves by x and y of the eigenvector, whose turn is 0.4 rad.
+        let path = &figure.curves[1].pieces[0];
+        let shape = [(-sin, -cos), (-cos, sin), (sin, cos)][mode - 1];
+        assert!(is_near(path[0], (0.4 * shape.0, 0.4 * shape.1)), "{path:?}");
+    }
+}
+
+/// Of every shipped case, whatever is free, and whether the mass centre is at O or not: no two drawings are alike, all
+/// texts aside, and each of the eleven figures is there or is said to be left out.
+#[test]
+fn no_two_figures_are_alike() {
+    let all_free = r#"free = ["x", "y", "theta"]"#;
+    let free = ["x", "y", "theta", "x, y", "x, theta", "y, theta"];
+    let free = free.map(|own| format!(r#"free = ["{}"]"#, own.replace(", ", r#"", ""#)));
+    let (mut count, mut same) = (0, 0);
+    for path in std::fs::read_dir(super::cases::shipped()).expect("cases") {
+        let path = path.expect("a case").path();
+        if path.extension().is_none_or(|own| own != "toml") {
+            continue;
+        }
+        let name = path.file_name().expect("a name").to_string_lossy();
+        let text = read(&path);
+        let line = |key: &str| {
+            let mut lines = text.lines();
+            lines.find(|own| own.starts_with(key)).expect("a line")
+        };
+        let step = line("alpha_deg = ").rsplit_once("step").expect("a step").1;
+        let steps = (step, " = 10 }");
+        let offsets = [line("L_g ").to_string(), "L_g = 0".to_string()];
+        // A case that does not say what is free has all of it so.
+        let kept = text.lines().find(|own| own.starts_with("free "));
+        let kept = kept.unwrap_or("[wind]").to_string();
+        let is_all = kept == all_free || kept == "[wind]";
+        let others: Vec<String> = match kept.as_str() {
+            "[wind]" => free.iter().map(|own| format!("{own}\n[wind]")).collect(),
+            _ => free.iter().filter(|_| is_all).cloned().collect(),
+        };
+        for free in others.iter().chain([&kept]) {
+            // Without an offset it does not matter what else is free.
+            let offsets = if *free == kept {
+                &offsets[..]
+            } else {
+                &offsets[..1]
+            };
+            for offset in offsets {
+                let edits = [steps, (offsets[0].as_str(), offset), (kept.as_str(), free)];
+                let (case, table) = shipped_case(&name, &edits);
+                let gallery = gallery::figures(&case, &table).expect("figures");
+                assert_eq!(gallery.figures.len() + gallery.left_out.len(), 11, "{name}");
+                same += gallery
+                    .left_out
+                    .iter()
+                    .filter(|own| own.1.contains("the same"))
+                    .count();
+                let mut drawn = BTreeMap::new();
+                for (own, figure) in &gallery.figures {
+                    let svg = figure.svg().expect("a drawing");
+                    let earlier = drawn.insert(lines_of(&svg), own);
+                    assert_eq!(earlier, None, "{own} of {name}: {free}, {offset}");
+                    count += 1;
+                }
+            }
         }
     }
+    assert!(count > 150 && same > 0, "{count} {same}");
+}
+
+/// All that is drawn, without texts.
+fn lines_of(svg: &str) -> String {
+    let drawing = roxmltree::Document::parse(svg).expect("well-formed SVG");
+    let is_text =
+        |own: &roxmltree::Node| ["text", "tspan", "title", "desc"].contains(&own.tag_name().name());
+    let drawn = drawing.root_element().children();
+    let drawn = drawn.filter(|own| own.is_element() && !is_text(own));
+    drawn.map(|own| &svg[own.range()]).collect()
 }
 
 #[test]
@@ -348,7 +450,7 @@ fn every_mode_is_drawn() {
             .map(|point| point.modes.len())
             .max();
         assert_eq!(most, Some(modes));
-        let figures = gallery::figures(&case, &table).expect("figures");
+        let figures = gallery::figures(&case, &table).expect("figures").figures;
         for name in ["damping_of_modes", "frequencies_of_modes"] {
             let figure = figures.iter().find(|(own, _)| own == name);
             let (_, figure) = figure.expect("a figure");

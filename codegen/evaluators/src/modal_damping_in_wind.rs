@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/uniform.md`
 //! - SHA-256 of the document:
-//!   `7c62074227fe09c4f40229a8ab3640556b16a1d4a7a427507332d683abb236d6`
+//!   `893148d0e21d69ee7bda3302df895e9d5b02341c5754db3b461736d3ddd29e96`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -417,7 +417,7 @@ pub fn modal_damping_in_wind_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/uniform.md`
 /// - SHA-256 of the document:
-///   `7c62074227fe09c4f40229a8ab3640556b16a1d4a7a427507332d683abb236d6`
+///   `893148d0e21d69ee7bda3302df895e9d5b02341c5754db3b461736d3ddd29e96`
 #[must_use]
 pub fn modal_damping_in_wind(inputs: &ModalDampingInWindInputs<f64>) -> ModalDampingInWindOutputs<f64> {
     modal_damping_in_wind_body(inputs)

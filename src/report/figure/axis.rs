@@ -115,15 +115,9 @@ pub(super) fn tick(number: &f64) -> String {
     }
 }
 
-/// A power of ten with its exponent: `10⁻³`.
+/// A power of ten with its exponent: `10^{−3}`.
 pub(super) fn power(exponent: &f64) -> String {
-    let digit = |own: char| match own {
-        '-' => '⁻',
-        own => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹']
-            [own.to_digit(10).unwrap_or_default() as usize],
-    };
-    let exponent = format!("{exponent:.0}");
-    format!("10{}", exponent.chars().map(digit).collect::<String>())
+    format!("10^{{{}}}", tick(exponent))
 }
 
 #[cfg(test)]
@@ -147,7 +141,7 @@ mod tests {
     fn powers_have_their_exponents() {
         assert_eq!(
             [power(&-3.0), power(&0.0), power(&12.0)],
-            ["10⁻³", "10⁰", "10¹²"]
+            ["10^{\u{2212}3}", "10^{0}", "10^{12}"]
         );
         assert_eq!(Axis::of_powers(-3.5..0.2).marks, [-3.0, -2.0, -1.0, 0.0]);
     }

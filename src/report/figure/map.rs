@@ -5,14 +5,18 @@ use std::error::Error;
 use plotters::prelude::*;
 
 use super::axis::{Axis, power};
+use super::mark::Sign;
+use super::reading::Reading;
 use super::stroke::{Stroke, ink};
-use super::{Area, FONT, drawn, px, subscript};
+use super::{Area, FONT, draw_line, drawn, px, script};
 
 /// Maps over the same two quantities, both on logarithmic axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Map {
     /// What is shown.
     pub title: String,
+    /// What it is shown for, in a line below the title.
+    pub subtitle: String,
     /// The quantity along the horizontal axes.
     pub x_label: String,
     /// The quantity along the vertical axes.
@@ -45,8 +49,8 @@ pub struct Panel {
 
 /// The sizes in pixels.
 const PANEL: i32 = 340;
-const HEIGHT: i32 = 470;
-const HEAD: i32 = 84;
+const HEIGHT: i32 = 492;
+const HEAD: i32 = 106;
 const MARGIN: i32 = 16;
 
 /// Shades from the smallest number on, and the powers of ten between them.
@@ -55,7 +59,6 @@ const LOWEST: i32 = -6;
 
 /// How far a mark reaches to all sides.
 const MARK: i32 = 8;
-const MARK_INK: RGBColor = RGBColor(200, 80, 0);
 
 impl Map {
     /// The maps as SVG.
@@ -64,8 +67,37 @@ impl Map {
     ///
     /// What the drawing library says.
     pub fn svg(&self) -> Result<String, String> {
-        let width = PANEL * self.panels.len() as i32 + MARGIN;
-        drawn([width, HEIGHT], |area| self.draw(area))
+        drawn([self.width(), HEIGHT], &self.reading(), |area| {
+            self.draw(area)
+        })
+    }
+
+    /// In pixels.
+    fn width(&self) -> i32 {
+        PANEL * self.panels.len() as i32 + MARGIN
+    }
+
+    /// What is read out.
+    fn reading(&self) -> Reading {
+        let mut reading = Reading::new(&self.title, &self.subtitle);
+        for (which, label, middles) in [
+            ("Horizontal", &self.x_label, &self.columns),
+            ("Vertical", &self.y_label, &self.rows),
+        ] {
+            let ends = edges(middles);
+            let [from, to] = [ends.first(), ends.last()]
+                .map(|end| end.map_or(String::new(), |own| format!("{:.1e}", 10_f64.powf(*own))));
+            reading.say(&format!(
+                "{which} axes: {label}, from {from} to {to}, logarithmic"
+            ));
+        }
+        let panels: Vec<&str> = self.panels.iter().map(|own| own.title.as_str()).collect();
+        reading.say(&format!("Maps: {}", panels.join("; ")));
+        reading.say(&format!("Shades of grey: {}", self.shade));
+        reading.say(&format!("Hatched: {}", self.hatched));
+        reading.say(&format!("{}: {}", Stroke::Dashed.words(), self.line.1));
+        reading.say(&format!("{}: {}", Sign::Target.words(), self.mark.1));
+        reading
     }
 
     fn draw(&self, area: &Area<'_>) -> Result<(), Box<dyn Error>> {
@@ -130,7 +162,7 @@ impl Map {
                 (edge + px(MARK), height)
             }
         };
-        draw_mark(area, place)?;
+        Sign::Target.draw(area, place)?;
         chart
             .configure_mesh()
             .disable_mesh()
@@ -146,14 +178,16 @@ impl Map {
         Ok(())
     }
 
-    /// The title; shades and signs below it.
+    /// The title, and what it is shown for; shades and signs below them.
     fn draw_head(&self, head: &Area<'_>) -> Result<(), Box<dyn Error>> {
         let text =
             |text: String, place, pixels| head.draw(&Text::new(text, place, (FONT, px(pixels))));
-        text(self.title.clone(), (px(MARGIN), px(10)), 18)?;
-        let (top, bottom) = (px(40), px(54));
+        let room = self.width() - 2 * MARGIN;
+        draw_line(head, &self.title, (MARGIN, 10), room, 19)?;
+        draw_line(head, &self.subtitle, (MARGIN, 36), room, 15)?;
+        let (top, bottom) = (px(62), px(76));
         text(self.shade.clone(), (px(MARGIN), top), 14)?;
-        let mut left = px(MARGIN + 12 + 7 * subscript::length(&self.shade) as i32);
+        let mut left = px(MARGIN + 12 + 7 * script::length(&self.shade) as i32);
         for (place, grey) in SHADES.into_iter().enumerate() {
             let corners = [(left, top), (left + px(34), bottom)];
             head.draw(&Rectangle::new(
@@ -170,7 +204,7 @@ impl Map {
         left += px(24);
         let label = |left: &mut i32, label: &str| {
             let place = (*left + px(34), top);
-            *left += px(58 + 7 * subscript::length(label) as i32);
+            *left += px(58 + 7 * script::length(label) as i32);
             text(label.to_string(), place, 14)
         };
         for shift in [0, 7, 14] {
@@ -181,17 +215,9 @@ impl Map {
         let middle = (top + bottom) / 2;
         Stroke::Dashed.draw(head, &[(left, middle), (left + px(26), middle)])?;
         label(&mut left, &self.line.1)?;
-        draw_mark(head, (left + px(14), middle))?;
+        Sign::Target.draw(head, (left + px(14), middle))?;
         Ok(label(&mut left, &self.mark.1)?)
     }
-}
-
-/// A ring with a cross, which is seen on every shade.
-fn draw_mark(area: &Area<'_>, place: (i32, i32)) -> Result<(), Box<dyn Error>> {
-    area.draw(&Circle::new(place, px(7), WHITE.filled()))?;
-    area.draw(&Circle::new(place, px(7), ink(MARK_INK, 2)))?;
-    area.draw(&Cross::new(place, px(5), ink(MARK_INK, 2)))?;
-    Ok(())
 }
 
 /// The shade of a number.

@@ -35,6 +35,15 @@ const DARK: RGBColor = RGBColor(160, 160, 160);
 const DISTANCE: i32 = 8;
 
 impl Fill {
+    /// What a reader is told that it looks like.
+    pub(super) fn words(self) -> &'static str {
+        match self {
+            Fill::Shaded => "Shaded",
+            Fill::Dark => "Shaded darker",
+            Fill::Hatched => "Hatched",
+        }
+    }
+
     /// A region with these corners in the drawing.
     pub(super) fn draw(
         self,

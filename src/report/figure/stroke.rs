@@ -54,6 +54,18 @@ impl Stroke {
         Ok(())
     }
 
+    /// What a reader is told that it looks like.
+    pub(super) fn words(self) -> &'static str {
+        match self {
+            Stroke::Solid => "Solid line",
+            Stroke::Thin => "Thin line",
+            Stroke::Dashed => "Dashed line",
+            Stroke::Dotted => "Dotted line",
+            Stroke::Circles => "Circles",
+            Stroke::Crosses => "Crosses",
+        }
+    }
+
     /// Where the points of its sample in a legend stand, in pixels from the left, in a width of so many.
     pub(super) fn sample(self, width: i32) -> [i32; 2] {
         match self {
@@ -68,7 +80,8 @@ pub(super) fn ink(colour: RGBColor, pixels: i32) -> ShapeStyle {
     colour.stroke_width(px(pixels) as u32)
 }
 
-fn dashes(
+/// A line of dashes, with the lengths of a dash and of a gap.
+pub(super) fn dashes(
     area: &Area<'_>,
     points: &[(i32, i32)],
     [dash, gap]: [i32; 2],

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::unit::behind_numbers;
 use super::{CaseFiles, escape};
 use crate::report::gallery::Named;
 use crate::report::speeds::{self, SpeedsFound};
@@ -82,24 +83,19 @@ impl CaseView {
         let [file, table] = &case.files;
         Ok(CaseView {
             name: stability_figure::name(&comparison.case).to_owned(),
-            title: title(comparison),
+            title: behind_numbers(&title(comparison)),
             coefficient: comparison.coefficient_name(),
-            figure: drawn(
-                stability_figure::figure(comparison).svg(),
-                "curves",
-                &format!(
-                    "{} against the angle of attack. {}",
-                    comparison.coefficient_name(),
-                    conclusion(comparison)
-                ),
-            )?,
+            figure: stability_figure::figure(comparison).svg()?,
             figures: case.figures.iter().map(figure).collect::<Result<_, _>>()?,
-            conclusion: conclusion(comparison),
+            conclusion: behind_numbers(&conclusion(comparison)),
             proof: PROOF,
             within: within_errors(comparison),
             within_worth: WITHIN,
-            speed_lines: speeds::lines(&case.speeds),
-            highest_speed: case.speeds.highest.to_string(),
+            speed_lines: speeds::lines(&case.speeds)
+                .into_iter()
+                .map(|(angles, words)| (angles, behind_numbers(&words)))
+                .collect(),
+            highest_speed: behind_numbers(&format!("{} m/s", case.speeds.highest)),
             speeds: speeds(&case.speeds)?,
             validity: case.validity.as_ref().ok().map(validity).transpose()?,
             no_validity: case.validity.as_ref().err().cloned(),
@@ -114,23 +110,6 @@ impl CaseView {
             table: table.path.clone(),
         })
     }
-}
-
-/// A figure as SVG that a reader can be told about; `name` is unique on the page.
-fn drawn(svg: Result<String, String>, name: &str, title: &str) -> Result<String, String> {
-    let svg = svg?;
-    let named = format!(
-        r#"<svg role="img" aria-labelledby="{name}"><title id="{name}">{}</title>"#,
-        escape(title)
-    );
-    let (opening, title) = named.split_at(named.find('>').map_or(0, |end| end));
-    let Some((attributes, rest)) = svg
-        .strip_prefix("<svg")
-        .and_then(|inner| inner.split_once('>'))
-    else {
-        return Err("the figure is no SVG".into());
-    };
-    Ok(format!("{opening}{attributes}{title}{rest}"))
 }
 
 fn figure((name, figure): &Named) -> Result<FigureView, String> {
@@ -150,25 +129,19 @@ fn figure((name, figure): &Named) -> Result<FigureView, String> {
         }
         _ => "",
     };
-    captioned(figure.svg(), name, caption.to_string())
-}
-
-/// A figure whose caption says what it shows.
-fn captioned(
-    svg: Result<String, String>,
-    name: &str,
-    caption: String,
-) -> Result<FigureView, String> {
-    let svg = drawn(svg, name, &caption)?;
-    Ok(FigureView { svg, caption })
+    Ok(FigureView {
+        svg: figure.svg()?,
+        caption: caption.to_string(),
+    })
 }
 
 /// The critical wind speeds, with where they are the lowest.
 fn speeds(found: &SpeedsFound) -> Result<FigureView, String> {
-    let svg = speeds_figure::figure(found).svg();
     let conclusion = speeds::conclusion(found);
-    let caption = format!("{conclusion} {}", speeds_figure::caption(found));
-    captioned(svg, "critical_speeds", caption)
+    Ok(FigureView {
+        svg: speeds_figure::figure(found).svg()?,
+        caption: behind_numbers(&format!("{conclusion} {}", speeds_figure::caption(found))),
+    })
 }
 
 /// The errors of the closed forms, with those of the case as it is.
@@ -183,7 +156,10 @@ fn validity(validity: &Validity) -> Result<FigureView, String> {
         forms.join("; "),
         reach(validity)
     );
-    captioned(validity_figure::map(validity).svg(), "validity", caption)
+    Ok(FigureView {
+        svg: validity_figure::map(validity).svg()?,
+        caption,
+    })
 }
 
 fn unstable(own: &UnstableRange, comparison: &Comparison) -> UnstableView {
@@ -196,7 +172,9 @@ fn unstable(own: &UnstableRange, comparison: &Comparison) -> UnstableView {
         angles: own.angles.to_string(),
         worst: format!("{}°", angle(own.worst)),
         damping: rounded(own.damping, 9),
-        frequency: mode_of.map_or(String::new(), |mode| frequency(mode, own.diverges, case)),
+        frequency: mode_of.map_or(String::new(), |mode| {
+            behind_numbers(&frequency(mode, own.diverges, case))
+        }),
         mode: mode_of.map_or(String::new(), mode),
         verdict: verdict.map_or(String::new(), |own| format!("{}: {own}", own.name())),
     }

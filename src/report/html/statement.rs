@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::escape;
 use super::mathematics::{expression, formula};
+use super::unit;
 use crate::language::notation::Notation;
 use crate::language::syntax::{
     Approximated, EvaluatorBody, Expression, Name, Node, Part, Place, Quantities, Replacement,
@@ -19,6 +20,7 @@ pub struct QuantityView {
     /// HTML.
     symbol: String,
     kind: &'static str,
+    /// HTML.
     unit: String,
     meaning: String,
 }
@@ -42,7 +44,7 @@ pub fn quantity(statement: &StatementKind) -> Option<QuantityView> {
         QuantityView {
             symbol: formula(&format!("{}{more}", names.join(", "))),
             kind,
-            unit: unit.to_owned(),
+            unit: unit::set(unit),
             meaning: words.clone().unwrap_or_default(),
         }
     };

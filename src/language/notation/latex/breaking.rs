@@ -8,12 +8,29 @@ const UNSEEN: [&str; 9] = [
     "left", "right", "frac", "mathrm", "mathit", "mathsf", "dot", "ddot", "sqrt",
 ];
 
-/// `(a)`, as tall as what is in it if that is short.
+/// `(a)`, as tall as what is in it.
 pub(super) fn brackets(inner: &str) -> String {
     if is_long(inner) {
-        format!("({inner})")
+        tall_brackets(inner)
     } else {
         format!(r"\left({inner}\right)")
+    }
+}
+
+/// `(a)` that can be broken: as tall as what can stand in it.
+fn tall_brackets(inner: &str) -> String {
+    match size(inner) {
+        "" => format!("({inner})"),
+        size => format!(r"\{size}l({inner}\{size}r)"),
+    }
+}
+
+/// The size of a bracket around a formula that can be broken.
+fn size(inner: &str) -> &'static str {
+    match inner {
+        _ if inner.contains(MATRIX[0]) => "Bigg",
+        _ if inner.contains(r"\frac") => "Big",
+        _ => "",
     }
 }
 
@@ -22,14 +39,14 @@ pub(super) fn quotient(numerator: &str, factor: &str, denominator: &str) -> Stri
     match (is_long(numerator), is_long(denominator)) {
         (false, false) => format!(r"\frac{{{numerator}}}{{{denominator}}}"),
         (true, false) => format!(r"\frac{{1}}{{{denominator}}} \cdot {factor}"),
-        (_, true) => format!(r"{factor} \cdot ({denominator})^{{-1}}"),
+        (_, true) => format!(r"{factor} \cdot {}^{{-1}}", tall_brackets(denominator)),
     }
 }
 
 /// `√a`
 pub(super) fn root(square: &str) -> String {
     if is_long(square) {
-        format!("({square})^{{1/2}}")
+        tall_brackets(square) + "^{1/2}"
     } else {
         format!(r"\sqrt{{{square}}}")
     }
@@ -38,7 +55,11 @@ pub(super) fn root(square: &str) -> String {
 /// `a` where the place says.
 pub(super) fn taken_at(inner: &str, place: &str) -> String {
     if is_long(inner) {
-        format!(r"({inner})\bigr|_{{{place}}}")
+        let size = match size(inner) {
+            "" => "big",
+            size => size,
+        };
+        format!(r"{}\{size}r|_{{{place}}}", tall_brackets(inner))
     } else {
         format!(r"\left.{inner}\right|_{{{place}}}")
     }
@@ -50,8 +71,56 @@ pub(super) fn is_long(formula: &str) -> bool {
     formula.len() > MOST_UNBROKEN && signs(formula) > MOST_UNBROKEN
 }
 
-/// How many letters, digits and other signs a formula shows, one behind the other.
+/// How many letters, digits and other signs a formula shows, one behind the other; of a matrix its longest row.
 fn signs(formula: &str) -> usize {
+    let (mut rest, mut count) = (formula, 0);
+    while let Some((before, inner)) = rest.split_once(MATRIX[0]) {
+        let end = end_of_matrix(inner);
+        let rows = rows(&inner[..end]).into_iter().map(signs);
+        count += signs_in_line(before) + rows.max().unwrap_or_default();
+        rest = inner[end..].strip_prefix(MATRIX[1]).unwrap_or_default();
+    }
+    count + signs_in_line(rest)
+}
+
+/// How a matrix begins and ends.
+const MATRIX: [&str; 2] = [r"\begin{bmatrix}", r"\end{bmatrix}"];
+
+/// Where the matrix ends that has begun before.
+fn end_of_matrix(rest: &str) -> usize {
+    let mut depth = 1;
+    for (place, _) in rest.match_indices('\\') {
+        if rest[place..].starts_with(MATRIX[0]) {
+            depth += 1;
+        } else if rest[place..].starts_with(MATRIX[1]) {
+            depth -= 1;
+        }
+        if depth == 0 {
+            return place;
+        }
+    }
+    rest.len()
+}
+
+/// The rows of a matrix, but for those of matrices in it.
+fn rows(entries: &str) -> Vec<&str> {
+    let (mut rows, mut start, mut depth) = (Vec::new(), 0, 0_usize);
+    for (place, _) in entries.match_indices('\\') {
+        let rest = &entries[place..];
+        if rest.starts_with(MATRIX[0]) {
+            depth += 1;
+        } else if rest.starts_with(MATRIX[1]) {
+            depth = depth.saturating_sub(1);
+        } else if depth == 0 && rest.starts_with(r"\\ ") {
+            rows.push(&entries[start..place]);
+            start = place + 2;
+        }
+    }
+    rows.push(&entries[start..]);
+    rows
+}
+
+fn signs_in_line(formula: &str) -> usize {
     let mut rest = formula;
     let mut count = 0;
     while let Some(first) = rest.chars().next() {
@@ -66,7 +135,7 @@ fn signs(formula: &str) -> usize {
                 };
                 count += usize::from(!command.is_empty() && !UNSEEN.contains(&command));
             }
-            '{' | '}' | '^' | '_' | ' ' => {}
+            '{' | '}' | '^' | '_' | ' ' | '&' => {}
             _ => count += 1,
         }
     }
@@ -83,6 +152,10 @@ mod tests {
             (r"\frac{a}{\omega_{n}^{2}}", 4),
             (r"a\,\dot{x} + \left(b\right)", 6),
             ("", 0),
+            (
+                r"a\begin{bmatrix} b & c + d \\ \begin{bmatrix} e \\ f \end{bmatrix} & g \end{bmatrix} h",
+                6,
+            ),
         ] {
             assert_eq!(signs(formula), expected, "{formula}");
         }
@@ -101,6 +174,14 @@ mod tests {
             let is_open = !written.contains(r"\left") && !written.contains(r"\sqrt");
             assert!(is_open && !written.contains(r"\frac{a"), "{written}");
         }
+        let tall = format!(r"{long} + \frac{{a}}{{b}}");
+        assert_eq!(brackets(&tall), format!(r"\Bigl({tall}\Bigr)"));
+        let matrix = format!(r"{long} \begin{{bmatrix}} a \end{{bmatrix}}");
+        assert!(taken_at(&matrix, "b").ends_with(r"\Biggr)\Biggr|_{b}"));
+        let rows = [r"\begin{bmatrix} a + b + c"; 1].concat()
+            + &r" \\ a + b + c".repeat(30)
+            + r" \end{bmatrix}";
+        assert_eq!(brackets(&rows), format!(r"\left({rows}\right)"));
         assert_eq!(quotient("a", "a", "b"), r"\frac{a}{b}");
         assert_eq!(root("a"), r"\sqrt{a}");
     }
