@@ -1,6 +1,7 @@
 //! The paper's kinds of figures, on any case.
 
 mod angles;
+mod coefficients;
 mod offsets;
 
 use crate::stability::case::Case;
@@ -12,6 +13,7 @@ use crate::stability::input::InputError;
 use super::figure::{Curve, Figure, Stroke};
 use super::{stability_figure, trajectory};
 use angles::{closed_form, inertial_coupling, modes};
+use coefficients::coefficients;
 use offsets::{eccentricity, frequencies, offset};
 
 /// A figure and the name of its file, without an extension.
@@ -98,6 +100,7 @@ fn add_of_case(
     table: &CoefficientTable,
     gallery: &mut Gallery,
 ) -> Result<(), InputError> {
+    coefficients(comparison, table, gallery);
     modes(comparison, gallery);
     // The mass centre couples the turn with sway and heave, and nothing else.
     let free = comparison.free();

@@ -28,6 +28,8 @@ fn all_figures_of_a_case_are_drawn() {
             ["path of O", "C, centre of rotation"],
         ),
         ("stability", ["uniform form", "unstable"]),
+        ("coefficients", ["C", "rows of the table"]),
+        ("slopes", ["C", "slope of a coefficient (1/rad)"]),
         ("damping_of_modes", ["mode 2", "unstable"]),
         ("frequencies_of_modes", ["mode 2", "frequency (Hz)"]),
         (
@@ -76,7 +78,7 @@ fn what_a_case_has_nothing_to_show_for_is_left_out() {
     let arguments = ["figures", "derivations/cases/square.toml", "--out", out];
     let (status, list, err) = run(&arguments);
     assert_eq!(status, Some(0), "{err}");
-    assert_eq!(list.lines().count(), 2, "{list}");
+    assert_eq!(list.lines().count(), 4, "{list}");
     assert!(
         list.contains("stability.svg") && list.contains("frequencies_of_modes.svg"),
         "{list}"
@@ -100,13 +102,13 @@ fn what_would_draw_the_same_is_left_out() {
         out.to_str().expect("a path"),
     );
     let (status, list, err) = run(&["figures", case, "--out", out]);
-    assert_eq!((status, list.lines().count()), (Some(0), 10), "{err}");
+    assert_eq!((status, list.lines().count()), (Some(0), 12), "{err}");
     assert!(
         err.contains("Left out: closed_form, since it would draw the same as stability"),
         "{err}"
     );
     let (status, list, err) = run(&["figures", case, "--out", out, "--set", "L_g=0"]);
-    assert_eq!((status, list.lines().count()), (Some(0), 6), "{err}");
+    assert_eq!((status, list.lines().count()), (Some(0), 8), "{err}");
     let expected = [
         "trajectory_of_mode_1",
         "trajectory_of_mode_2",

@@ -303,6 +303,8 @@ fn figures_without_wind_are_those_of_the_eigenvectors() {
             "trajectory_of_mode_2",
             "trajectory_of_mode_3",
             "stability",
+            "coefficients",
+            "slopes",
             "damping_of_modes",
             "frequencies_of_modes",
             "inertial_coupling",
@@ -319,7 +321,7 @@ fn figures_without_wind_are_those_of_the_eigenvectors() {
         }
     }
     let e = case.parameters.mass_centre_distance / case.parameters.radius_of_gyration;
-    for place in [0, 8, 9] {
+    for place in [0, 10, 11] {
         let own = figures[place].1.own.as_ref().expect("the case is marked");
         assert!((own.value - e).abs() < 1e-12, "{own:?}");
     }
@@ -404,7 +406,7 @@ fn no_two_figures_are_alike() {
                 let edits = [steps, (offsets[0].as_str(), offset), (kept.as_str(), free)];
                 let (case, table) = shipped_case(&name, &edits);
                 let gallery = gallery::figures(&case, &table).expect("figures");
-                assert_eq!(gallery.figures.len() + gallery.left_out.len(), 11, "{name}");
+                assert_eq!(gallery.figures.len() + gallery.left_out.len(), 13, "{name}");
                 same += gallery
                     .left_out
                     .iter()

@@ -22,6 +22,8 @@ pub enum Stroke {
     Dashed,
     /// Hollow circles without a line, at some of the points.
     Circles,
+    /// Small discs without a line, at all points.
+    Dots,
     /// Orange crosses without a line, between the circles.
     Crosses,
     /// A grey line of dots.
@@ -45,6 +47,11 @@ impl Stroke {
                     area.draw(&Circle::new(point, px(4), ink(BLACK, 1)))?;
                 }
             }
+            Stroke::Dots => {
+                for point in line {
+                    area.draw(&Circle::new(point, px(2), BLACK.filled()))?;
+                }
+            }
             Stroke::Crosses => {
                 for point in line.skip(every / 2).step_by(every) {
                     area.draw(&Cross::new(point, px(4), ink(ORANGE_INK, 2)))?;
@@ -62,6 +69,7 @@ impl Stroke {
             Stroke::Dashed => "Dashed line",
             Stroke::Dotted => "Dotted line",
             Stroke::Circles => "Circles",
+            Stroke::Dots => "Dots",
             Stroke::Crosses => "Crosses",
         }
     }
