@@ -11,7 +11,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - SHA-256 of the document:
-//!   `4c2c894644cfaf14ca2e57a367b70d29f460912905d5ff2e75e6b014986dcfaa`
+//!   `732ac23be751b4279f6272b4e64d3c0a878a8a74b87e2c86cce9d82d0d589994`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -254,7 +254,7 @@ pub fn closed_form_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
 /// - SHA-256 of the document:
-///   `4c2c894644cfaf14ca2e57a367b70d29f460912905d5ff2e75e6b014986dcfaa`
+///   `732ac23be751b4279f6272b4e64d3c0a878a8a74b87e2c86cce9d82d0d589994`
 #[must_use]
 pub fn closed_form(inputs: &ClosedFormInputs<f64>) -> ClosedFormOutputs<f64> {
     closed_form_body(inputs)

@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/exact-modes.md`
 //! - SHA-256 of the document:
-//!   `bcdf4608db1bcf3b3e5e37ac4049bf6c42bb9e9db9fafd25822614c626df025a`
+//!   `bf8cf2577945ee72d0434af11853d394d7057ba55492b94b592cdd0842316317`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -428,7 +428,7 @@ pub fn section_matrices_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/exact-modes.md`
 /// - SHA-256 of the document:
-///   `bcdf4608db1bcf3b3e5e37ac4049bf6c42bb9e9db9fafd25822614c626df025a`
+///   `bf8cf2577945ee72d0434af11853d394d7057ba55492b94b592cdd0842316317`
 #[must_use]
 pub fn section_matrices(inputs: &SectionMatricesInputs<f64>) -> SectionMatricesOutputs<f64> {
     section_matrices_body(inputs)

@@ -10,7 +10,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/uniform.md`
 //! - SHA-256 of the document:
-//!   `7c62074227fe09c4f40229a8ab3640556b16a1d4a7a427507332d683abb236d6`
+//!   `cd35f158ab87d7974433e45a77927a8e36b33ef2355c7199fb66391f908ff134`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -259,7 +259,7 @@ pub fn uniform_cubic_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/uniform.md`
 /// - SHA-256 of the document:
-///   `7c62074227fe09c4f40229a8ab3640556b16a1d4a7a427507332d683abb236d6`
+///   `cd35f158ab87d7974433e45a77927a8e36b33ef2355c7199fb66391f908ff134`
 #[must_use]
 pub fn uniform_cubic(inputs: &UniformCubicInputs<f64>) -> UniformCubicOutputs<f64> {
     uniform_cubic_body(inputs)
