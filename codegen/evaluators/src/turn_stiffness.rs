@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/extensions.md`
 //! - SHA-256 of the document:
-//!   `b475703b3035429bd0b948bd41033ce9065427a49efbaa751e10c4abd81fb8c4`
+//!   `17e6d9d052805e7b9f31309eac21be9525d72318a58894ef26321151aa03f274`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -160,12 +160,13 @@ pub fn turn_stiffness_body<T: Arithmetic>(
 /// - `θ̇_d at rest := 0`
 /// - `w := √(u² + v²)`
 /// - `follows := attack + θ_d`
-/// - `u := U·c − dt(A[1]) at (θ_d = 0)`
-/// - `v := U·s − dt(A[2]) at (θ_d = 0)`
+/// - `u := relative[1] at (θ_d = 0)`
+/// - `v := relative[2] at (θ_d = 0)`
 /// - `attack := angle(u, v) + θ_0`
+/// - `relative := [U·c; U·s] − Ȧ`
 /// - `c := cos(α_0)`
-/// - `A := point(L_a, γ_r)`
 /// - `s := sin(α_0)`
+/// - `A := point(L_a, γ_r)`
 /// - `point(L, β) := [x; y] + rotation(θ)·[−L·cos(β); L·sin(β)]`
 /// - `…`
 ///
@@ -208,7 +209,7 @@ pub fn turn_stiffness_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/extensions.md`
 /// - SHA-256 of the document:
-///   `b475703b3035429bd0b948bd41033ce9065427a49efbaa751e10c4abd81fb8c4`
+///   `17e6d9d052805e7b9f31309eac21be9525d72318a58894ef26321151aa03f274`
 #[must_use]
 pub fn turn_stiffness(inputs: &TurnStiffnessInputs<f64>) -> TurnStiffnessOutputs<f64> {
     turn_stiffness_body(inputs)
