@@ -53,7 +53,8 @@ A case file:
   interpolation = \"cubic\"         # or \"linear\": a slope for each cell, at a row that above it;
                                   # \"smooth\": no closer to the table than this scatters
   errors = { CD = 0.02, CL = 0.02, CM = 0.005 }  # the largest of the coefficients, not the usual
-                                  # mirror, slopes and errors may be left out
+  reference = { CL = 0.3, CM = [0.3, 0.3] }      # lengths in m below them where that is not D
+                                  # mirror, slopes, errors and reference may be left out
   [structure]
   f_x = 0.96                      # frequencies in Hz
   f_y = 0.845

@@ -134,16 +134,17 @@ pub fn title(comparison: &Comparison) -> String {
         "{}: {angles}; {free}; U = {} m/s{}",
         case.title(),
         given(case.parameters.wind_speed),
-        with_stiffness(case)
+        options(case)
     )
 }
 
-/// What a title says of aerodynamic stiffness, if there is any.
-pub fn with_stiffness(case: &Case) -> &'static str {
-    match case.parameters.aerodynamic_stiffness {
+/// What a title says of what a case asks for: aerodynamic stiffness, and other reference lengths than D.
+pub fn options(case: &Case) -> String {
+    let stiffness = match case.parameters.aerodynamic_stiffness {
         true => "; with aerodynamic stiffness",
         false => "",
-    }
+    };
+    format!("{stiffness}{}", case.over_lengths())
 }
 
 /// What an unstable section does. It diverges where the determinant of the stiffness is below 0, and gallops

@@ -8,10 +8,11 @@ mod scatter;
 mod turn;
 
 use self::file::File;
-use self::keys::{Lines, SWEEP, check_keys, not_read};
+use self::keys::{Lines, REFERENCE, SWEEP, check_keys, not_read};
 pub use self::turn::Turn;
 use super::coefficient_table::CoefficientTable;
 use super::coefficient_table::reading::Reading;
+use super::coefficient_table::reference::Reference;
 use super::error::StabilityError;
 use super::forces::Forces;
 use super::input::{InputError, Place, Remark};
@@ -72,6 +73,8 @@ pub struct Case {
     pub coefficients: String,
     /// What its columns mean, whether it is mirrored, and where derivatives are from.
     pub reading: Reading,
+    /// The lengths that its coefficients stand over, where they are not D.
+    pub reference: Reference,
     /// How the table is read between its angles.
     pub interpolation: Interpolation,
     /// How far C_D, C_L and C_M may be from those of the table, if the case says so.
@@ -144,6 +147,7 @@ impl Case {
             parameters,
             coefficients: read.coefficients.unwrap_or_default(),
             reading: read.reading,
+            reference: read.reference,
             interpolation: read.interpolation.unwrap_or(Interpolation::Linear),
             errors: read.errors.map(|own| [own.drag, own.lift, own.moment]),
             angles: Angles {
@@ -193,6 +197,17 @@ impl Case {
         }
     }
 
+    /// What its coefficients stand over, after a semicolon; nothing where that is D.
+    pub fn over_lengths(&self) -> String {
+        match self.reference.is_usual() {
+            true => String::new(),
+            false => format!(
+                "; {}, converted to D = {} m",
+                self.reference, self.parameters.reference_dimension
+            ),
+        }
+    }
+
     /// Sees that a quantity is set once, and that it is one.
     fn check_setting(&self, own: &Setting, earlier: &[Setting]) -> Result<(), InputError> {
         let (place, name) = (Place::file("--set"), own.variable.name);
@@ -209,7 +224,7 @@ impl Case {
             ));
         }
         if own.variable.is_held(&self.parameters) {
-            let what = format!("{name} does nothing: its coordinate is held");
+            let what = own.variable.does_nothing();
             return Err(InputError::new(place, what, "see `free` in the case"));
         }
         Ok(())
@@ -304,7 +319,12 @@ impl Case {
                 p.air_density
             ));
         }
-        for (name, length) in [Quantity::r, Quantity::L_a].map(given) {
+        let lengths = [Quantity::r, Quantity::L_a].map(given).into_iter();
+        let references = self.reference.lengths().into_iter();
+        let references =
+            references.map(|(name, own)| (format!("a reference length of {name}"), own));
+        let lengths = lengths.map(|(name, own)| (name.to_string(), own));
+        for (name, length) in lengths.chain(references) {
             if length > MOST_USUAL_LENGTHS * size || (name == "r" && size > MOST_USUAL_LENGTHS * r)
             {
                 remark(format!(
@@ -318,6 +338,7 @@ impl Case {
     fn check(&self, lines: &Lines) -> Result<(), InputError> {
         Section::new(self.parameters).map_err(|error| self.impossible(&error, lines))?;
         self.check_errors(lines)?;
+        self.check_reference(lines)?;
         let Angles { from, to, step, .. } = self.angles;
         let what = if ![from, to, step].iter().all(|number| number.is_finite()) {
             format!("the sweep from {from} to {to} in steps of {step} is not finite")
@@ -346,7 +367,20 @@ impl Case {
         }
     }
 
-    /// Reads the text of the table as the case says, with the errors that the case gives.
+    fn check_reference(&self, lines: &Lines) -> Result<(), InputError> {
+        let lengths = self.reference.lengths().into_iter();
+        let mut impossible = lengths.filter(|(_, own)| !(own.is_finite() && *own > 0.0));
+        match impossible.next() {
+            None => Ok(()),
+            Some((name, length)) => Err(InputError::new(
+                lines.place(&self.file, "section", "reference"),
+                format!("a reference length of {name} is {length} m, which is not above 0"),
+                REFERENCE,
+            )),
+        }
+    }
+
+    /// Reads the text of the table as the case says, with the errors and the reference lengths that the case gives.
     ///
     /// # Errors
     ///
@@ -354,6 +388,8 @@ impl Case {
     /// are known.
     pub fn read_table(&self, file: &str, text: &str) -> Result<CoefficientTable, InputError> {
         let table = CoefficientTable::read_as(file, text, &self.reading)?;
+        let dimension = self.parameters.reference_dimension;
+        let table = table.with_reference(&self.reference, dimension);
         let wrong = |what: String, help: &str| {
             let place = Place::file(&self.file);
             Err(InputError::new(place, what, help))

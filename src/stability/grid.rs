@@ -118,9 +118,25 @@ impl<'a> Grid<'a> {
                 return Err(wrong(what, "vary a quantity or set it"));
             }
             if axis.variable.is_held(&case.parameters) {
-                let what = format!("{name} does nothing: its coordinate is held");
-                return Err(wrong(what, "see `free` in the case"));
+                return Err(wrong(
+                    axis.variable.does_nothing(),
+                    "see `free` in the case",
+                ));
             }
+        }
+        let is_form_alone =
+            (methods.closed || methods.uniform) && !methods.exact && !methods.companion;
+        if is_form_alone && !case.parameters.free.are_all() {
+            let what = "the closed and the uniform form need x, y and theta to be free".into();
+            let help = "leave `--method` away: the state matrix applies to every section";
+            return Err(wrong(what, help));
+        }
+        if !case.reference.is_usual() && axes.iter().any(|own| own.variable == Variable::DIMENSION)
+        {
+            let what =
+                "D is varied, and `reference` converts the table to the D of the case".into();
+            let help = "set D: the case is then read with it; or leave `reference` out, with coefficients over D";
+            return Err(wrong(what, help));
         }
         if !axes.iter().any(|axis| axis.variable.is_angle()) {
             axes.push(Axis::at(Variable::ANGLE, case.angles.values()));

@@ -112,7 +112,7 @@ impl CoefficientCurves {
     ///
     /// If more than [`MOST_POINTS`] rows are to be smoothed, or no smoothing curve is found.
     pub fn new(table: &CoefficientTable, interpolation: Interpolation) -> Result<Self, InputError> {
-        let mut rows = table.rows().to_vec();
+        let mut rows = table.converted_rows();
         let is_circle = table.is_circle();
         // A table that stops one step short of the circle is closed with its first row.
         if is_circle && !table.is_closed() {

@@ -6,6 +6,8 @@ mod figures;
 #[cfg(feature = "stability")]
 mod files;
 mod generation;
+#[cfg(feature = "stability")]
+mod held;
 mod input;
 #[cfg(feature = "stability")]
 mod modes;

@@ -11,6 +11,7 @@ mod exact_modes;
 mod grid;
 mod interpolation;
 mod oracle;
+mod reference;
 mod sections;
 mod sensitivity;
 mod square_section;

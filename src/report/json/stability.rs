@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::report::stability::{frequency_in_hertz, reasons};
 use crate::stability::case::Case;
+use crate::stability::coefficient_table::reference::Reference;
 use crate::stability::comparison::{
     Agreement, AngleRange, Cause, Comparison, FollowedMode, Point, UnstableRange, Value, angle,
 };
@@ -19,6 +20,9 @@ struct Compared<'a> {
     /// What was set in place of what the case says.
     #[serde(skip_serializing_if = "is_empty")]
     set: Pairs<f64>,
+    /// The lengths that its coefficients stand over, where they are not D.
+    #[serde(skip_serializing_if = "Reference::is_usual")]
+    reference: Reference,
     free: Vec<&'a str>,
     table: &'a str,
     points: Vec<AtAngle<'a>>,
@@ -113,6 +117,7 @@ pub fn comparison(comparison: &Comparison) -> String {
     write(&Compared {
         case: &case.file,
         set: settings(case),
+        reference: case.reference,
         free: comparison.free().iter().map(|own| own.name()).collect(),
         table: &comparison.reading,
         points: comparison
