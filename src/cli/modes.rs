@@ -18,16 +18,17 @@ use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
 use crate::stability::error::StabilityError;
 use crate::stability::exact_modes::ExactModes;
 use crate::stability::exact_section::ExactSection;
-use crate::stability::interpolation::CoefficientCurves;
 use crate::stability::limitation::Limitation;
+use crate::stability::mean_twist::Twist;
 use crate::stability::model::Model;
 use crate::stability::quantity::{names, needed, parameters};
 use crate::stability::section::{Parameters, Section};
+use crate::stability::sections::Sections;
 use crate::stability::system::instance::Instance;
 use crate::stability::tracking::{Mode, places};
 use crate::stability::uniform_form::uniform_form;
 use crate::stability::variable::Variable;
-use crate::stability::verdict::{Doubt, Verdict, exact_verdict};
+use crate::stability::verdict::{Doubt, Verdict, exact_verdict, verdict};
 use crate::stability::{companion, exact_modes, state_matrix};
 
 use super::Outcome;
@@ -124,6 +125,8 @@ Members of --format json:
   s3d          -4 m max(re)/(rho D U), or null without wind; s3d_error, the bound of its error
   verdict      stable, unstable or undecided, with its reason
   diverges     whether the stiffness of the turn is below 0: else what is unstable gallops
+  twist        of a case with a mean twist: deg, error_deg, stiffness (of the turn in the wind over
+               that of its springs), balance (only, several, jump)
   warnings     what speaks against the method for this section, and what was given in vain
 
 Examples:
@@ -184,12 +187,13 @@ fn of_case(arguments: &Arguments, path: &Path) -> Result<ModesFound, Outcome> {
     let set = arguments.set.iter().chain(&arguments.alpha).cloned();
     let (mut case, table) = case_and_table(path, &set.collect::<Vec<_>>(), &[])?;
     case.parameters.aerodynamic_stiffness |= arguments.aerodynamic_stiffness;
-    let section = section_of(&case, &table)?;
-    by_method(arguments, &section, &ExactSection::from(&section))
+    let (section, twist) = section_of(&case, &table)?;
+    let found = by_method(arguments, &section, &ExactSection::from(&section))?;
+    Ok(ModesFound { twist, ..found })
 }
 
 /// The section of a case at its only angle.
-fn section_of(case: &Case, table: &CoefficientTable) -> Result<Section, Outcome> {
+fn section_of(case: &Case, table: &CoefficientTable) -> Result<(Section, Option<Twist>), Outcome> {
     let angle = case.angles.from;
     if case.angles.to > angle {
         return Err(wrong(
@@ -197,15 +201,16 @@ fn section_of(case: &Case, table: &CoefficientTable) -> Result<Section, Outcome>
             "name one of them in degrees: `--alpha 68.5`",
         ));
     }
-    let curves = CoefficientCurves::new(table, case.interpolation);
-    let curves = curves.map_err(|error| super::case::refuse(&error))?;
-    let coefficients = curves.at(angle).map_err(|outside| {
+    let sections = Sections::new(case, table);
+    let sections = sections.map_err(|error| super::case::refuse(&error))?;
+    sections.curves().at(angle).map_err(|outside| {
         wrong(
             &format!("{}: {outside}", table.file()),
             "name an angle of the table with `--alpha`",
         )
     })?;
-    case.section(angle, coefficients).map_err(impossible)
+    let found = sections.at(angle, table);
+    found.map_err(|error| super::case::refuse(&error))
 }
 
 fn impossible(error: StabilityError) -> Outcome {
@@ -248,6 +253,7 @@ fn of_system(arguments: &Arguments) -> Result<ModesFound, Outcome> {
         verdict: instance.verdict(),
         diverges: instance.diverges() == Some(true),
         warnings: Vec::new(),
+        twist: None,
     })
 }
 
@@ -328,7 +334,15 @@ fn by_method(
     exact: &ExactSection,
 ) -> Result<ModesFound, Outcome> {
     let model = Model::new(section).map_err(impossible)?;
-    let (verdict, diverges) = (exact_verdict(exact), exact.diverges());
+    // Of several sections the errors of the eigenvalues decide, or nothing does.
+    let verdict = match exact.is_open() {
+        true => verdict(
+            section,
+            &state_matrix::eigenvalues(&model).map_err(impossible)?,
+        ),
+        false => exact_verdict(exact),
+    };
+    let diverges = model.diverges().unwrap_or_else(|| exact.diverges());
     let spectrum = |found: Result<Spectrum, StabilityError>| found.map_err(impossible);
     let is_formula = matches!(arguments.method, Method::Closed | Method::Uniform);
     if arguments.shapes && is_formula {
@@ -406,6 +420,7 @@ fn by_form(
         verdict,
         diverges: false,
         warnings: form.warnings.iter().map(ToString::to_string).collect(),
+        twist: None,
     })
 }
 
@@ -452,6 +467,7 @@ fn by_spectrum(
         damping_coefficient: damping.map(|(damping, error)| (damping, Some(error))),
         verdict,
         diverges: false,
+        twist: None,
         warnings,
     }
 }

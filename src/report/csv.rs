@@ -14,6 +14,7 @@ use super::stability::{bound, certain, decimal};
 /// and the frequency in Hz of every mode. An empty cell is a method that does not apply, or a mode that is not
 /// there.
 ///
+/// Where the case has a mean twist: that in degrees, and what is known of its balance.
 /// Where the coefficients have errors: what is certain for all within them, and between which numbers S is then.
 ///
 /// Numbers have the decimals that are certain, nine at most.
@@ -36,6 +37,10 @@ pub fn comparison(comparison: &Comparison) -> String {
     for label in 1..=modes {
         heading.push(format!("s_mode_{label}"));
         heading.push(format!("frequency_hz_mode_{label}"));
+    }
+    let is_twisted = comparison.case.is_twisted();
+    if is_twisted {
+        heading.extend(["twist_deg", "balance"].map(String::from));
     }
     let errors = comparison.within.as_ref();
     let errors = errors.filter(|own| own.cause == Cause::Errors);
@@ -62,6 +67,13 @@ pub fn comparison(comparison: &Comparison) -> String {
             let mode = point.mode(label);
             cells.push(optional(mode.map(|mode| certain(mode.damping))));
             cells.push(optional(mode.map(|mode| decimal(mode.frequency, 6))));
+        }
+        if is_twisted {
+            let twist = point.twist.as_ref();
+            cells.push(optional(
+                twist.map(|own| decimal(own.angle.to_degrees(), 9)),
+            ));
+            cells.push(optional(twist.map(|own| own.word().to_string())));
         }
         if let Some(within) = errors {
             let own = within.tolerances[place];

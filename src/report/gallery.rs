@@ -6,8 +6,8 @@ use crate::stability::comparison::{Comparison, FollowedMode, Point, Value, angle
 use crate::stability::coordinate::Coordinate;
 use crate::stability::grid::{Grid, Methods, Rows};
 use crate::stability::input::{InputError, Place};
-use crate::stability::interpolation::CoefficientCurves;
 use crate::stability::offset::{OffsetPoint, against_offset};
+use crate::stability::sections::Sections;
 use crate::stability::variable::Variable;
 
 use super::figure::{Curve, Figure, Stroke};
@@ -210,10 +210,9 @@ fn offset(comparison: &Comparison, table: &CoefficientTable) -> Result<Vec<Named
         let help = "correct the case or its table";
         InputError::new(Place::file(&case.file), what, help)
     };
-    let curves = CoefficientCurves::new(table, case.interpolation)?;
-    let coefficients = curves.at(worst).map_err(|error| wrong(error.to_string()))?;
-    let points = against_offset(case, coefficients, worst, LARGEST, STEPS)
-        .map_err(|error| wrong(error.to_string()))?;
+    let (section, _) = Sections::new(case, table)?.at(worst, table)?;
+    let points =
+        against_offset(&section, LARGEST, STEPS).map_err(|error| wrong(error.to_string()))?;
     let title = format!(
         "{} at the worst angle, α = {}°; modes are numbered at L_{{g}} = 0",
         stability_figure::name(case),

@@ -3,6 +3,7 @@
 use num_complex::Complex;
 
 use crate::stability::coordinate::Coordinate;
+use crate::stability::mean_twist::Twist;
 use crate::stability::verdict::Verdict;
 
 /// What a method says of a section or a system.
@@ -23,6 +24,8 @@ pub struct ModesFound {
     pub verdict: Verdict,
     /// Whether it diverges, with proof: else what grows gallops.
     pub diverges: bool,
+    /// The mean twist of a case that asks for it.
+    pub twist: Option<Twist>,
     /// What speaks against the answer, and what was given in vain.
     pub warnings: Vec<String>,
 }

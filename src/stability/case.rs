@@ -13,13 +13,14 @@ pub use self::turn::Turn;
 use super::coefficient_table::CoefficientTable;
 use super::coefficient_table::reading::Reading;
 use super::coefficient_table::reference::Reference;
+use super::coordinate::Coordinate;
 use super::error::StabilityError;
 use super::forces::Forces;
 use super::input::{InputError, Place, Remark};
 use super::interpolation::Interpolation;
 use super::quantity::{Quantity, Unit};
 use super::section::{Coefficients, Parameters, Section};
-use super::variable::Setting;
+use super::variable::{Setting, Variable};
 
 /// A case file, read and checked.
 ///
@@ -79,6 +80,8 @@ pub struct Case {
     pub interpolation: Interpolation,
     /// How far C_D, C_L and C_M may be from those of the table, if the case says so.
     pub errors: Option<[f64; 3]>,
+    /// Whether the mean moment of the wind twists the section.
+    pub mean_twist: bool,
     /// The angles.
     pub angles: Angles,
     /// What was set in place of what the file and its table say.
@@ -150,6 +153,7 @@ impl Case {
             reference: read.reference,
             interpolation: read.interpolation.unwrap_or(Interpolation::Linear),
             errors: read.errors.map(|own| [own.drag, own.lift, own.moment]),
+            mean_twist: read.mean_twist,
             angles: Angles {
                 from: steps.from,
                 to: steps.to,
@@ -208,6 +212,24 @@ impl Case {
         }
     }
 
+    /// Whether the mean moment twists it: it asks for that, and is free to turn.
+    pub fn is_twisted(&self) -> bool {
+        let free = self.parameters.free.as_slice();
+        self.mean_twist && free.contains(&Coordinate::Theta)
+    }
+
+    /// Refuses to give C_M one value, beside the curve that the mean twist follows.
+    pub(super) fn check_moment(&self, variable: Variable) -> Result<(), InputError> {
+        if !(self.is_twisted() && variable.is_moment()) {
+            return Ok(());
+        }
+        Err(InputError::new(
+            Place::file(&self.file),
+            "C_M is given, and the mean twist follows that of the table",
+            "leave `mean_twist` out of the case, or C_M to the table",
+        ))
+    }
+
     /// Sees that a quantity is set once, and that it is one.
     fn check_setting(&self, own: &Setting, earlier: &[Setting]) -> Result<(), InputError> {
         let (place, name) = (Place::file("--set"), own.variable.name);
@@ -223,6 +245,7 @@ impl Case {
                 "set every quantity once, by one name",
             ));
         }
+        self.check_moment(own.variable)?;
         if own.variable.is_held(&self.parameters) {
             let what = own.variable.does_nothing();
             return Err(InputError::new(place, what, "see `free` in the case"));
@@ -263,14 +286,24 @@ impl Case {
         parameters
     }
 
+    /// Coefficients of the table, with what is set in place of them.
+    pub(super) fn coefficients_as_set(&self, coefficients: Coefficients) -> Coefficients {
+        self.with_set(coefficients, |own| own)
+    }
+
     /// Errors of coefficients, without those of what is set in place of the table.
     pub(super) fn errors_of_table(&self, errors: Coefficients) -> Coefficients {
+        self.with_set(errors, |_| 0.0)
+    }
+
+    /// Coefficients with another number in place of those that are set.
+    fn with_set(&self, coefficients: Coefficients, number: impl Fn(f64) -> f64) -> Coefficients {
         let mut parameters = Parameters {
-            forces: errors.into(),
+            forces: coefficients.into(),
             ..self.parameters
         };
         for own in self.set.iter().filter(|own| own.variable.is_of_table()) {
-            own.variable.set(&mut parameters, 0.0);
+            own.variable.set(&mut parameters, number(own.value));
         }
         match parameters.forces {
             Forces::Coefficients(own) => own,

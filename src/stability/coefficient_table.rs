@@ -1,6 +1,6 @@
 //! A table of force coefficients against the angle of attack, as a wind tunnel gives it.
 
-mod angle;
+pub(super) mod angle;
 mod cells;
 pub(super) mod column;
 mod heading;

@@ -90,6 +90,11 @@ impl Variable {
         self.quantities.is_empty()
     }
 
+    /// Whether it sets C_M.
+    pub(super) fn is_moment(self) -> bool {
+        self.quantities.contains(&Quantity::C_M)
+    }
+
     /// Whether it sets what is otherwise read from the table.
     pub(super) fn is_of_table(self) -> bool {
         let is_of_table = |own: &Quantity| matches!(own.row().source, Source::Table);

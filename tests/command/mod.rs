@@ -10,6 +10,8 @@ mod generation;
 mod held;
 mod input;
 #[cfg(feature = "stability")]
+mod mean_twist;
+#[cfg(feature = "stability")]
 mod modes;
 mod new;
 #[cfg(feature = "stability")]

@@ -10,6 +10,7 @@ mod error_table;
 mod exact_modes;
 mod grid;
 mod interpolation;
+mod mean_twist;
 mod oracle;
 mod reference;
 mod sections;

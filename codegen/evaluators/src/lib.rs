@@ -74,6 +74,8 @@ pub mod hurwitz_determinants;
 #[rustfmt::skip]
 pub mod matching_residuals;
 #[rustfmt::skip]
+pub mod mean_twist;
+#[rustfmt::skip]
 pub mod modal_damping;
 #[rustfmt::skip]
 pub mod modal_damping_in_wind;

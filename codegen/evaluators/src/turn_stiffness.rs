@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/extensions.md`
 //! - SHA-256 of the document:
-//!   `5dfceaed0e14e38434469868febbc5e0105cee61829cbaee3015acf2aca65aaa`
+//!   `209445345fc34089316a3b42eed9b8fbf5a1a7099045cc5bc9a4f2f0de9972e0`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -208,7 +208,7 @@ pub fn turn_stiffness_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/extensions.md`
 /// - SHA-256 of the document:
-///   `5dfceaed0e14e38434469868febbc5e0105cee61829cbaee3015acf2aca65aaa`
+///   `209445345fc34089316a3b42eed9b8fbf5a1a7099045cc5bc9a4f2f0de9972e0`
 #[must_use]
 pub fn turn_stiffness(inputs: &TurnStiffnessInputs<f64>) -> TurnStiffnessOutputs<f64> {
     turn_stiffness_body(inputs)

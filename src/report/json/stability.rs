@@ -12,6 +12,7 @@ use crate::stability::input::Remark;
 use crate::stability::tolerance::Tolerance;
 
 use super::pairs::{Pairs, is_empty, settings};
+use super::twist::TwistFound;
 use super::write;
 
 #[derive(Serialize)]
@@ -35,6 +36,8 @@ struct Compared<'a> {
 #[derive(Serialize)]
 struct AtAngle<'a> {
     alpha_deg: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    twist: Option<TwistFound>,
     s3d: ByMethod,
     verdict: &'a str,
     diverges: bool,
@@ -146,6 +149,7 @@ fn tolerance(comparison: &Comparison, place: usize) -> Option<Tolerance> {
 fn at_angle<'a>(point: &'a Point, tolerance: Option<Tolerance>, case: &Case) -> AtAngle<'a> {
     AtAngle {
         alpha_deg: angle(point.angle),
+        twist: point.twist.as_ref().map(TwistFound::from),
         s3d: ByMethod {
             exact: bounded(point.exact),
             companion: point.companion.map(bounded),

@@ -3,7 +3,9 @@
 use std::f64::consts::TAU;
 
 use crate::report::modes::{ModeFound, ModesFound, Moving, Shape};
-use crate::report::stability::{bound_with, decimal, decimals, is_unknown, power, significant};
+use crate::report::stability::{
+    bound_with, decimal, decimals, degrees, is_unknown, power, significant,
+};
 use crate::stability::comparison::Value;
 
 /// Decimals where no error is known.
@@ -59,6 +61,13 @@ pub fn modes(found: &ModesFound) -> String {
             String::new()
         };
         text += &format!("S_3D = {number}{within}{meaning}\n");
+    }
+    if let Some(twist) = &found.twist {
+        let (shown, within) = (degrees(twist), power(twist.error.to_degrees()));
+        text += &format!(
+            "Mean twist {shown}, certain within {within}°; balance: {}\n",
+            twist.word()
+        );
     }
     let verdict = found.verdict;
     text += &format!(
@@ -158,6 +167,7 @@ mod tests {
             shape: None,
         };
         modes(&ModesFound {
+            twist: None,
             subject: Subject::Section,
             method: "state",
             is_formula: false,

@@ -26,6 +26,7 @@ pub(super) struct File {
     pub(super) interpolation: Option<Interpolation>,
     free: Option<Vec<String>>,
     aerodynamic_stiffness: bool,
+    pub(super) mean_twist: bool,
     pub(super) alpha_deg: Option<Steps>,
     pub(super) turn: Option<Turn>,
     pub(super) errors: Option<Errors>,
@@ -78,6 +79,7 @@ impl File {
             "aerodynamic_stiffness" => {
                 self.aerodynamic_stiffness = Deserialize::deserialize(value)?;
             }
+            "mean_twist" => self.mean_twist = Deserialize::deserialize(value)?,
             "alpha_deg" => self.alpha_deg = Deserialize::deserialize(value)?,
             "turn" => self.turn = Deserialize::deserialize(value)?,
             _ => drop(self.numbers.insert(key.into(), f64::deserialize(value)?)),

@@ -28,7 +28,7 @@ const COLUMNS: &str =
 const STEPS: [&str; 3] = ["from", "to", "step"];
 
 /// The keys that are no quantities.
-const OTHERS: [Key; 11] = [
+const OTHERS: [Key; 12] = [
     Key::new("section", "coefficients", Some("the file of the table")),
     Key::new(
         "section",
@@ -42,6 +42,7 @@ const OTHERS: [Key; 11] = [
     Key::new("section", "reference", None),
     Key::new("structure", "free", None),
     Key::new("wind", "aerodynamic_stiffness", None),
+    Key::new("wind", "mean_twist", None),
     Key::new(
         "sweep",
         "alpha_deg",

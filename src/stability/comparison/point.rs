@@ -9,6 +9,7 @@ use crate::stability::coordinate::Coordinate;
 use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
 use crate::stability::error::StabilityError;
 use crate::stability::exact_section::ExactSection;
+use crate::stability::mean_twist::Twist;
 use crate::stability::section::Section;
 use crate::stability::sensitivity::weakened_by;
 use crate::stability::uniform_form::Order;
@@ -19,6 +20,8 @@ use crate::stability::verdict::{Verdict, verdict};
 pub struct Point {
     /// α, in degrees.
     pub angle: f64,
+    /// The mean twist, if the case asks for it.
+    pub twist: Option<Twist>,
     /// S by the exact eigenvalues: those of the state matrix, which the exact modes find where they can.
     pub exact: Value,
     /// Whether the section is stable, with proof.
@@ -64,16 +67,21 @@ impl Point {
 pub(super) fn points(
     angles: &[f64],
     sections: &[Section],
+    twists: &[Option<Twist>],
 ) -> Result<Vec<(Point, Modes)>, (f64, StabilityError)> {
     let batch = Batch::of(sections);
     let eigenvalues = batch.own_eigenvalues();
     let [uniform] = batch.uniform_forms([Order::Second]);
     let forms = batch.closed_forms().into_iter().zip(uniform);
     let rows = angles.iter().zip(sections).zip(eigenvalues).zip(forms);
-    let point = |(((angle, section), found), forms): (((&f64, _), _), _)| {
-        point(*angle, section, found, forms).map_err(|error| (*angle, error))
-    };
-    rows.map(point).collect()
+    let point =
+        |((((angle, section), found), forms), twist): ((((&f64, _), _), _), &Option<Twist>)| {
+            let (point, modes) =
+                point(*angle, section, found, forms).map_err(|error| (*angle, error))?;
+            let twist = *twist;
+            Ok((Point { twist, ..point }, modes))
+        };
+    rows.zip(twists).map(point).collect()
 }
 
 fn point(
@@ -92,6 +100,7 @@ fn point(
     let ratio = section.relative_wind() * scaled_damping / section.eccentricity();
     let point = Point {
         angle,
+        twist: None,
         // No wind is refused before.
         exact: value(spectrum).ok_or(StabilityError::OutOfRange)?,
         verdict: verdict(section, spectrum),

@@ -94,7 +94,10 @@ pub(super) fn within(
     section_at: &(impl Fn(f64) -> Result<Section, InputError> + Sync),
 ) -> Result<Option<Within>, InputError> {
     let cause = match (table.has_errors(), scatter(table)) {
+        (true, _) if case.is_twisted() => return Err(twisted(case)),
         (true, _) => Cause::Errors,
+        // How scatter moves the twist is not followed.
+        (false, _) if case.is_twisted() => return Ok(None),
         // Of derivatives that the table gives no scatter is known.
         (false, _) if case.errors.is_some() || table.has_slopes() => return Ok(None),
         (false, [0.0, 0.0, 0.0]) => return Ok(None),
@@ -126,6 +129,12 @@ pub(super) fn within(
     };
     let tolerances = angles.par_iter().map(at).collect::<Result<_, _>>()?;
     Ok(Some(Within { cause, tolerances }))
+}
+
+fn twisted(case: &Case) -> InputError {
+    let what = "errors of C_M move the mean twist, and this is not followed";
+    let help = "leave out `mean_twist`, or the errors of the coefficients";
+    InputError::new(Place::file(&case.file), what, help)
 }
 
 fn too_many(table: &CoefficientTable) -> InputError {
