@@ -174,7 +174,7 @@ pub fn twists(comparison: &Comparison) -> Option<String> {
         _ => format!("from {} to {}", shown(least), shown(most)),
     };
     Some(format!(
-        "{between}; each is certain within {}°; the wind leaves at least {:.1} % of the stiffness of the turn",
+        "{between}; each is certain within {}°; the stiffness of the turn is at least {:.1} % of that of its springs",
         power(BOUND.to_degrees()),
         (stiffness * 1000.0).floor() / 10.0
     ))

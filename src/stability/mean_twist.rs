@@ -165,10 +165,10 @@ impl MomentCurve {
     fn arcs(&self, piece: &MomentPiece, place: f64, reach: f64) -> Vec<Arc> {
         let count = piece.cubics.len() as isize;
         let [first, last] = piece.ends();
-        let turn = Bounded::exact(last) - Bounded::exact(first);
+        let turn = sum(Bounded::exact(last), -first);
         let twist = |cell: usize, turns: isize| {
-            let angle = Bounded::exact(piece.angles[cell]) + turn * turns as f64;
-            (angle - Bounded::exact(place)) * RADIAN
+            let angle = sum(times(turn, turns), piece.angles[cell]);
+            sum(angle, -place) * RADIAN
         };
         let arc = |own: isize| {
             let (cell, turns) = (own.rem_euclid(count) as usize, own.div_euclid(count));
@@ -187,6 +187,25 @@ impl MomentCurve {
         arcs.extend(above);
         arcs
     }
+}
+
+/// So many times a number: exact for a turn, back or forth, and for none.
+fn times(own: Bounded, count: isize) -> Bounded {
+    match count {
+        0 => Bounded::exact(0.0),
+        1 => own,
+        -1 => -own,
+        other => own * other as f64,
+    }
+}
+
+/// A sum with what rounding takes from it, which is nothing where it is exact.
+fn sum(own: Bounded, other: f64) -> Bounded {
+    let value = own.value + other;
+    let added = value - own.value;
+    let lost = (own.value - (value - added)) + (other - added);
+    let error = (own.error + lost.abs()) * (1.0 + 2.0 * f64::EPSILON);
+    Bounded { value, error }
 }
 
 /// The balances of a section, and where they were sought.
