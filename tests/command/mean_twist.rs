@@ -166,7 +166,13 @@ fn what_is_odd_about_balances_is_said() {
     // Close to divergence.
     let case = twisted(
         "twist_odd",
-        &[("U = 6", "U = 8.9"), ("step = 30", "step = 5")],
+        &[
+            ("U = 6", "U = 12"),
+            (
+                "from = 0, to = 180, step = 30",
+                "from = 2, to = 178, step = 8",
+            ),
+        ],
     );
     let (status, out, err) = run(&["stability", &case, "--width", "200"]);
     assert_eq!(status, Some(0), "{err}");

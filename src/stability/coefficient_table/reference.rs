@@ -5,7 +5,7 @@ use std::fmt;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::Row;
+use super::row::Row;
 
 /// The lengths, in m, that stand below the forces in the coefficients of a table, where a case says so: else D.
 ///

@@ -41,8 +41,9 @@ pub(super) enum Kind {
     Unclear,
 }
 
-/// So often an arc is halved.
+/// So often an arc is halved, and into so many parts all of them are at most.
 const HALVINGS: u32 = 24;
+const MOST_PARTS: usize = 4096;
 
 /// A part of the range, with the signs of the excess at its ends where they are known.
 #[derive(Clone, Copy, Debug)]
@@ -69,13 +70,15 @@ pub(super) fn balances(arcs: &[Arc], balance: &Balance) -> Vec<Range> {
 /// An arc in parts on which the excess is seen to be apart from 0, to rise or to fall.
 fn add_parts(arc: Arc, balance: &Balance, halvings: u32, parts: &mut Vec<Part>) {
     let course = arc.course(balance);
-    if course.is_none() && halvings > 0 {
+    let excess = arc.excess(balance);
+    // Where rounding hides the excess, smaller parts show no more of it.
+    let is_hidden = excess.iter().all(|own| own.value.abs() <= own.error);
+    if course.is_none() && halvings > 0 && !is_hidden && parts.len() < MOST_PARTS {
         for half in arc.halves() {
             add_parts(half, balance, halvings - 1, parts);
         }
         return;
     }
-    let excess = arc.excess(balance);
     let (from, to) = (arc.from(), arc.to());
     parts.push(Part {
         ends: [from.value - from.error, to.value + to.error],
