@@ -99,9 +99,18 @@ fn twists_are_those_of_a_search_in_small_steps() {
         let table = formulas();
         let curves = CoefficientCurves::new(&table, case.interpolation).expect("curves");
         for (angle, found) in twists(&case, &table) {
-            if angle == 0.0 && interpolation != "smooth" {
-                // Without a moment, exactly.
-                assert_eq!((found.angle, found.error), (0.0, 0.0));
+            if angle == 0.0 {
+                // Without a moment, exactly; a curve that is smoothed has hardly any.
+                let exactly = (found.angle, found.error) == (0.0, 0.0);
+                let nearly = found.angle.abs() < 1e-3 && found.error == BOUND;
+                assert!(
+                    if interpolation == "smooth" {
+                        nearly
+                    } else {
+                        exactly
+                    },
+                    "{found:?}"
+                );
                 continue;
             }
             let moment =
