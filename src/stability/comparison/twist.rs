@@ -9,9 +9,12 @@ use crate::stability::mean_twist::Twist;
 /// A stiffness of the turn below this, over that of the springs, is close to static divergence.
 const WEAK: f64 = 0.1;
 
+/// What may be odd about a twist, and what is said of it.
+type Oddity = (fn(&Twist) -> bool, &'static str);
+
 /// Where a twist is not the only one in balance, is not reached without a jump, or close to divergence.
 pub(super) fn remarks(case: &Case, points: &[Point]) -> impl Iterator<Item = Remark> {
-    let parts: [(fn(&Twist) -> bool, &str); 3] = [
+    let parts: [Oddity; 3] = [
         (
             |own| !own.is_only,
             "springs and wind are in balance at more than one mean twist, as far as is seen: that is taken which a rising \
