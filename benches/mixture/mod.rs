@@ -72,6 +72,7 @@ fn section(random: &mut Random, delta: (f64, f64)) -> Section {
     };
     let (mass, reference_dimension, air_density) = (2.75, 0.0375, 1.225);
     let parameters = Parameters {
+        open: None,
         mass,
         radius_of_gyration,
         mass_centre_distance: e * radius_of_gyration,

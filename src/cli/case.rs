@@ -54,8 +54,7 @@ pub fn set_case_and_files(
     outputs: &[PathBuf],
 ) -> Result<(Case, CoefficientTable, [SourceFile; 2]), Outcome> {
     let set: Vec<Setting> = set.iter().map(setting).collect::<Result<_, _>>()?;
-    let (case, table, files) = case_and_files(path, outputs)?;
-    let case = case.with(&set).map_err(|error| refuse(&error))?;
+    let (case, table, files) = case_and_files(path, &set, outputs)?;
     complain(&read_from(&case, &table));
     Ok((case, table, files))
 }
@@ -76,7 +75,7 @@ fn setting(fixed: &Fixed) -> Result<Setting, Outcome> {
     Ok(Setting { variable, value })
 }
 
-/// A case and its table from the disk, with the texts of their files, that of the case first; what is odd about
+/// A case with what is set and its table from the disk, with the texts of their files, that of the case first; what is odd about
 /// them is left to the caller.
 ///
 /// # Errors
@@ -84,11 +83,14 @@ fn setting(fixed: &Fixed) -> Result<Setting, Outcome> {
 /// As [`case_and_table`].
 fn case_and_files(
     path: &Path,
+    set: &[Setting],
     outputs: &[PathBuf],
 ) -> Result<(Case, CoefficientTable, [SourceFile; 2]), Outcome> {
     let text = read_text(path, "a case file: `sextic stability --help` shows one")?;
     let case_file = SourceFile::new(path.to_string_lossy(), text);
-    let case = Case::read(&case_file.path, &case_file.text).map_err(|error| refuse(&error))?;
+    let case = Case::read(&case_file.path, &case_file.text);
+    let case = case.and_then(|own| own.with(set));
+    let case = case.map_err(|error| refuse(&error))?;
     let table = path.with_file_name(&case.coefficients);
     for output in outputs {
         spare(output, &[path, &table])?;
@@ -124,11 +126,12 @@ fn read_from(case: &Case, table: &CoefficientTable) -> String {
         false => "derivatives of the curves",
     };
     format!(
-        "Table {}: {}; {end}; {}\nColumns {}; {slopes}\n",
+        "Table {}: {}; {end}; {}\nColumns {}; {slopes}{}\n",
         shortened(table.file()),
         table.reading(),
         case.interpolation,
-        table.columns().join(", ")
+        table.columns().join(", "),
+        case.over_lengths()
     )
 }
 

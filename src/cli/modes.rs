@@ -19,16 +19,17 @@ use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
 use crate::stability::error::StabilityError;
 use crate::stability::exact_modes::ExactModes;
 use crate::stability::exact_section::ExactSection;
-use crate::stability::interpolation::CoefficientCurves;
 use crate::stability::limitation::Limitation;
+use crate::stability::mean_twist::Twist;
 use crate::stability::model::Model;
 use crate::stability::quantity::{names, needed, parameters};
 use crate::stability::section::{Parameters, Section};
+use crate::stability::sections::Sections;
 use crate::stability::system::instance::Instance;
 use crate::stability::tracking::{Mode, places};
 use crate::stability::uniform_form::uniform_form;
 use crate::stability::variable::Variable;
-use crate::stability::verdict::{Doubt, Verdict, exact_verdict};
+use crate::stability::verdict::{Doubt, Verdict, exact_verdict, verdict};
 use crate::stability::{companion, exact_modes, state_matrix};
 
 use super::Outcome;
@@ -127,6 +128,8 @@ Members of --format json:
   diverges     whether the stiffness of the turn is below 0: else what is unstable gallops
   coefficients of a case: C_D, C_L, C_M and their derivatives per radian, as the section has them
   within_errors  of a case with errors: verdict and s3d for all coefficients within them
+  twist        of a case with a mean twist: deg, error_deg, stiffness (of the turn in the wind over
+               that of its springs), balance (only, several, jump)
   warnings     what speaks against the method for this section, and what was given in vain
 
 Examples:
@@ -187,16 +190,20 @@ fn of_case(arguments: &Arguments, path: &Path) -> Result<ModesFound, Outcome> {
     let set = arguments.set.iter().chain(&arguments.alpha).cloned();
     let (mut case, table) = case_and_table(path, &set.collect::<Vec<_>>(), &[])?;
     case.parameters.aerodynamic_stiffness |= arguments.aerodynamic_stiffness;
-    let (section, reading) = at_its_angle(&case, &table)?;
+    let (section, reading, twist) = at_its_angle(&case, &table)?;
     let found = by_method(arguments, &section, &ExactSection::from(&section))?;
     Ok(ModesFound {
         reading: Some(reading),
+        twist,
         ..found
     })
 }
 
-/// The section of a case at its only angle, and what its table gives there.
-fn at_its_angle(case: &Case, table: &CoefficientTable) -> Result<(Section, Reading), Outcome> {
+/// The section of a case at its only angle, with what its table gives there, and its twist.
+fn at_its_angle(
+    case: &Case,
+    table: &CoefficientTable,
+) -> Result<(Section, Reading, Option<Twist>), Outcome> {
     let angle = case.angles.from;
     if case.angles.to > angle {
         return Err(wrong(
@@ -205,14 +212,14 @@ fn at_its_angle(case: &Case, table: &CoefficientTable) -> Result<(Section, Readi
         ));
     }
     let refuse = |error| super::case::refuse(&error);
-    let curves = CoefficientCurves::new(table, case.interpolation).map_err(refuse)?;
-    let coefficients = curves.at(angle).map_err(|outside| {
+    let sections = Sections::new(case, table).map_err(refuse)?;
+    sections.curves().at(angle).map_err(|outside| {
         wrong(
             &format!("{}: {outside}", table.file()),
             "name an angle of the table with `--alpha`",
         )
     })?;
-    let section = case.section(angle, coefficients).map_err(impossible)?;
+    let (section, twist) = sections.at(angle, table).map_err(refuse)?;
     let open = Open::of(case, table).map_err(refuse)?;
     let errors = open.filter(Open::has_errors);
     let reading = Reading {
@@ -220,7 +227,7 @@ fn at_its_angle(case: &Case, table: &CoefficientTable) -> Result<(Section, Readi
         coefficients: section.parameters().forces.coefficients().copied(),
         within_errors: errors.map(|own| own.tolerance(angle, &section)),
     };
-    Ok((section, reading))
+    Ok((section, reading, twist))
 }
 
 fn impossible(error: StabilityError) -> Outcome {
@@ -264,6 +271,7 @@ fn of_system(arguments: &Arguments) -> Result<ModesFound, Outcome> {
         diverges: instance.diverges() == Some(true),
         reading: None,
         warnings: Vec::new(),
+        twist: None,
     })
 }
 
@@ -344,7 +352,15 @@ fn by_method(
     exact: &ExactSection,
 ) -> Result<ModesFound, Outcome> {
     let model = Model::new(section).map_err(impossible)?;
-    let (verdict, diverges) = (exact_verdict(exact), exact.diverges());
+    // Of several sections the errors of the eigenvalues decide, or nothing does.
+    let verdict = match exact.is_open() {
+        true => verdict(
+            section,
+            &state_matrix::eigenvalues(&model).map_err(impossible)?,
+        ),
+        false => exact_verdict(exact),
+    };
+    let diverges = model.diverges().unwrap_or_else(|| exact.diverges());
     let spectrum = |found: Result<Spectrum, StabilityError>| found.map_err(impossible);
     let is_formula = matches!(arguments.method, Method::Closed | Method::Uniform);
     if arguments.shapes && is_formula {
@@ -423,6 +439,7 @@ fn by_form(
         diverges: false,
         reading: None,
         warnings: form.warnings.iter().map(ToString::to_string).collect(),
+        twist: None,
     })
 }
 
@@ -470,6 +487,7 @@ fn by_spectrum(
         verdict,
         diverges: false,
         reading: None,
+        twist: None,
         warnings,
     }
 }

@@ -86,10 +86,15 @@ pub fn run(arguments: &Arguments) -> Outcome {
             set_case_and_files(path, &arguments.set, std::slice::from_ref(&arguments.out))?;
         let comparison = compare(&case, &table).map_err(|error| refuse(&error))?;
         let gallery = of_case(&comparison, &table).map_err(|error| refuse(&error))?;
-        let speeds = SpeedsFound {
-            angles: speeds_of(&case, &table, USUAL_HIGHEST).map_err(|error| refuse(&error))?,
+        let found = |angles| SpeedsFound {
+            angles,
             case: case.clone(),
             highest: USUAL_HIGHEST,
+        };
+        // That the speed twists the section is no reason against the rest of the page.
+        let speeds = match speeds_of(&case, &table, USUAL_HIGHEST) {
+            Err(error) if case.is_twisted() => Err(error.what),
+            other => Ok(found(other.map_err(|error| refuse(&error))?)),
         };
         // That a coordinate is held is no reason against the rest of the page.
         let validity = validity(&case, &table).map_err(|error| error.what);

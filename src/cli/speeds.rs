@@ -25,6 +25,7 @@ use super::view::View;
 /// The speeds are the roots of a Hurwitz determinant as a polynomial in U, isolated in exact arithmetic, so
 /// that none is missed but where speeds are undecided; those of static divergence are roots of the determinant
 /// of the stiffness. The wind speed of the case does not matter. Numbers of the case count as doubles.
+/// With a mean twist, which goes with U, there are none: sweep over U.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {

@@ -53,7 +53,8 @@ A case file:
   interpolation = \"cubic\"         # or \"linear\": a slope for each cell, at a row that above it;
                                   # \"smooth\": no closer to the table than this scatters
   errors = { CD = 0.02, CL = 0.02, CM = 0.005 }  # the largest of the coefficients, not the usual
-                                  # mirror, slopes and errors may be left out
+  reference = { CL = 0.3, CM = [0.3, 0.3] }      # lengths in m below them where that is not D
+                                  # mirror, slopes, errors and reference may be left out
   [structure]
   f_x = 0.96                      # frequencies in Hz
   f_y = 0.845
@@ -66,6 +67,7 @@ A case file:
   rho = 1.25                      # in kg/m³
   U = 9                           # in m/s
   aerodynamic_stiffness = false   # true: the angle of attack follows the turn; may be left out
+  mean_twist = false              # true: the mean moment turns the section; may be left out
   [sweep]
   alpha_deg = { from = 0, to = 180, step = 0.5 }
   turn = \"section\"                # alpha turns the section (theta_0), or \"wind\" (alpha_0)
@@ -90,6 +92,10 @@ at the angle of attack alpha = alpha_0 + theta_0, which moves with the section i
 aerodynamic_stiffness = true. Drag is along the relative wind, lift 90 degrees anticlockwise from
 it, each rho D U^2 C/2; the moment is about O in the sense of theta, rho D^2 U^2 C_M/2.
 
+With mean_twist = true angles are those without wind. The section is looked at where the spring of
+the turn and the moment at the twisted angle are in balance: at the first balance that a rising
+wind reaches, which is certain within 4e-12 rad.
+
 Modes are numbered by their frequency at the first angle, the highest first, and followed by their
 shapes. Where strong damping or stiffness splits a pair of eigenvalues into two real ones, one of
 them goes on, and the other takes the lowest free number.
@@ -108,6 +114,8 @@ or a number of which no digit is certain):
   s_mode_1, frequency_hz_mode_1 and so on: S and frequency of every mode
   C_D, C_L, C_M, dC_D, dC_L, dC_M: the coefficients as they are read between the rows of the table,
   and their derivatives per radian
+  twist_deg, balance, with a mean twist: only, several (there are other balances) or jump (the
+  twist may not have grown steadily with the wind)
   within_errors, s3d_least, s3d_most, where the coefficients have errors: the verdict for all of
   them, and between which numbers S is then
 

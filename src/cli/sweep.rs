@@ -92,6 +92,8 @@ not varied is given by --set. Its columns, after the quantities: growth (the lar
 its error in 1/s, frequency_hz of that mode, and the verdict where the errors decide it.
 
 Columns of a case, after the quantities and the angle, as far as their methods are asked:
+  twist_deg, balance, with a mean twist: as `sextic stability` has them; none where springs and wind
+  have no balance that is certain
   s3d_exact (state matrix), s3d_companion, s3d_closed, s3d_uniform: S_3D; empty where a method does
   not apply, or no digit is certain
   error_exact, error_companion: what is exact is no farther from the number that is printed

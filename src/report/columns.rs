@@ -8,6 +8,7 @@ use crate::stability::comparison::Value;
 use crate::stability::coordinate::Coordinate;
 use crate::stability::grid::Grid;
 use crate::stability::limitation::Limits;
+use crate::stability::mean_twist::Twist;
 use crate::stability::system::sweep::Sweep;
 
 /// A column of a table.
@@ -89,7 +90,21 @@ pub fn of_grid(grid: &Grid, rows: Range<u64>) -> Vec<Column> {
     ];
     let asked = methods.into_iter().filter(|(is_asked, ..)| *is_asked);
     let asked = asked.map(|(_, name, cells)| column(name, cells));
-    axes.chain(asked).collect()
+    let twists = grid.has_twists().then(|| twists(&found.twists));
+    axes.chain(twists.into_iter().flatten())
+        .chain(asked)
+        .collect()
+}
+
+/// Mean twists in degrees, and what is known of the balance there.
+fn twists(found: &[Option<Twist>]) -> [Column; 2] {
+    let degrees = |own: &Option<Twist>| own.map_or(f64::NAN, |own| own.angle.to_degrees());
+    let word = |own: &Option<Twist>| own.map_or("none", |own| own.word());
+    let degrees = found.iter().map(degrees).collect();
+    [
+        column("twist_deg", Cells::Numbers(degrees, Digits::Decimals(9))),
+        column("balance", Cells::Words(found.iter().map(word).collect())),
+    ]
 }
 
 /// Frequencies in Hz, and the coordinates that move most.

@@ -17,6 +17,7 @@ use super::stability::{bound, certain, decimal};
 ///
 /// Then the coefficients and their derivatives per radian, as the curves through the table have them.
 ///
+/// Where the case has a mean twist: that in degrees, and what is known of its balance.
 /// Where the coefficients have errors: what is certain for all within them, and between which numbers S is then.
 ///
 /// Numbers have the decimals that are certain, nine at most.
@@ -45,6 +46,10 @@ pub fn comparison(comparison: &Comparison) -> String {
             .named()
             .map(|(name, _)| name.to_string()),
     );
+    let is_twisted = comparison.case.is_twisted();
+    if is_twisted {
+        heading.extend(["twist_deg", "balance"].map(String::from));
+    }
     let errors = comparison.within.as_ref();
     let errors = errors.filter(|own| own.cause == Cause::Errors);
     if errors.is_some() {
@@ -75,6 +80,13 @@ pub fn comparison(comparison: &Comparison) -> String {
             Some(own) => own.named().map(|(_, value)| decimal(value, 9)),
             None => Default::default(),
         });
+        if is_twisted {
+            let twist = point.twist.as_ref();
+            cells.push(optional(
+                twist.map(|own| decimal(own.angle.to_degrees(), 9)),
+            ));
+            cells.push(optional(twist.map(|own| own.word().to_string())));
+        }
         if let Some(within) = errors {
             let own = within.tolerances[place];
             cells.push(own.certainty.name().to_string());

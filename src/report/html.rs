@@ -64,8 +64,8 @@ pub struct CaseFiles {
     pub comparison: Comparison,
     /// Its figures beside that of its stability.
     pub figures: Vec<Named>,
-    /// Its critical wind speeds.
-    pub speeds: SpeedsFound,
+    /// Its critical wind speeds, or why they are not known.
+    pub speeds: Result<SpeedsFound, String>,
     /// Where its closed forms may be trusted, or why that is not known.
     pub validity: Result<Validity, String>,
     /// The case file and its table of coefficients.

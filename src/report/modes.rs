@@ -4,6 +4,7 @@ use num_complex::Complex;
 
 use crate::stability::coordinate::Coordinate;
 use crate::stability::forces::Coefficients;
+use crate::stability::mean_twist::Twist;
 use crate::stability::tolerance::Tolerance;
 use crate::stability::verdict::Verdict;
 
@@ -27,6 +28,8 @@ pub struct ModesFound {
     pub diverges: bool,
     /// What a table gives there, for a section of a case.
     pub reading: Option<Reading>,
+    /// The mean twist of a case that asks for it.
+    pub twist: Option<Twist>,
     /// What speaks against the answer, and what was given in vain.
     pub warnings: Vec<String>,
 }

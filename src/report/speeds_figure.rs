@@ -5,7 +5,7 @@ use crate::stability::critical_speed::{SpeedRange, Speeds, Stability};
 
 use super::figure::{Curve, Figure, Fill, Patch, Stroke};
 use super::speeds::{SpeedsFound, alike, has, what_it_does};
-use super::stability::{given, with_stiffness};
+use super::stability::{given, options};
 use super::stability_figure::{set, titled};
 
 /// Where the section gallops, shaded, and where it diverges, darker, with the critical speeds around it; what
@@ -48,7 +48,7 @@ pub fn figure(found: &SpeedsFound) -> Figure {
             &format!(
                 "all of them up to {} m/s, in exact arithmetic{}",
                 found.highest,
-                with_stiffness(&found.case)
+                options(&found.case)
             ),
         ),
         x_label: "angle of attack α (degrees)".into(),

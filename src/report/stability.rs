@@ -6,6 +6,7 @@ use crate::stability::case::Case;
 use crate::stability::comparison::{
     Agreement, Cause, Comparison, FollowedMode, Point, Reason, Value, angle, listed,
 };
+use crate::stability::mean_twist::{BOUND, Twist};
 use crate::stability::tolerance::Certainty;
 use crate::stability::verdict::Verdict;
 
@@ -138,16 +139,54 @@ pub fn sweep(comparison: &Comparison) -> String {
     format!(
         "{angles}; {free}; U = {} m/s{}",
         given(case.parameters.wind_speed),
-        with_stiffness(case)
+        options(case)
     )
 }
 
-/// What a title says of aerodynamic stiffness, if there is any.
-pub fn with_stiffness(case: &Case) -> &'static str {
-    match case.parameters.aerodynamic_stiffness {
+/// What a title says of what a case asks for: aerodynamic stiffness, the mean twist, and other reference lengths than D.
+pub fn options(case: &Case) -> String {
+    let stiffness = match case.parameters.aerodynamic_stiffness {
         true => "; with aerodynamic stiffness",
         false => "",
-    }
+    };
+    let twist = match (case.mean_twist, case.is_twisted()) {
+        (true, true) => "; with mean twist",
+        (true, false) => "; with mean twist, which is 0 as theta is held",
+        _ => "",
+    };
+    format!("{stiffness}{twist}{}", case.over_lengths())
+}
+
+/// Between which mean twists the section lies at its angles, and how certain they are; `None` where none is asked for.
+pub fn twists(comparison: &Comparison) -> Option<String> {
+    let points = comparison.points.iter();
+    let twists = points.filter_map(|point| Some((point.angle, point.twist?)));
+    let twists: Vec<(f64, Twist)> = twists.collect();
+    let by_angle =
+        |one: &&(f64, Twist), other: &&(f64, Twist)| one.1.angle.total_cmp(&other.1.angle);
+    let (least, most) = (
+        twists.iter().min_by(by_angle)?,
+        twists.iter().max_by(by_angle)?,
+    );
+    let shown = |(place, own): &(f64, Twist)| format!("{} (at {}°)", degrees(own), angle(*place));
+    let stiffness = twists
+        .iter()
+        .map(|(_, own)| own.stiffness)
+        .fold(f64::INFINITY, f64::min);
+    let between = match twists.len() {
+        1 => degrees(&least.1),
+        _ => format!("from {} to {}", shown(least), shown(most)),
+    };
+    Some(format!(
+        "{between}; each is certain within {}°; the stiffness of the turn is at least {:.1} % of that of its springs",
+        power(BOUND.to_degrees()),
+        (stiffness * 1000.0).floor() / 10.0
+    ))
+}
+
+/// A twist, as far as anyone reads it.
+pub fn degrees(twist: &Twist) -> String {
+    format!("{}°", decimal(twist.angle.to_degrees(), 4))
 }
 
 /// What an unstable section does. It diverges where the determinant of the stiffness is below 0, and gallops

@@ -8,17 +8,19 @@ mod scatter;
 mod turn;
 
 use self::file::File;
-use self::keys::{Lines, SWEEP, check_keys, not_read};
+use self::keys::{Lines, REFERENCE, SWEEP, check_keys, not_read};
 pub use self::turn::Turn;
 use super::coefficient_table::CoefficientTable;
 use super::coefficient_table::reading::Reading;
+use super::coefficient_table::reference::Reference;
+use super::coordinate::Coordinate;
 use super::error::StabilityError;
 use super::forces::Forces;
 use super::input::{InputError, Place, Remark};
 use super::interpolation::Interpolation;
 use super::quantity::{Quantity, Unit};
 use super::section::{Coefficients, Parameters, Section};
-use super::variable::Setting;
+use super::variable::{Setting, Variable};
 
 /// A case file, read and checked.
 ///
@@ -72,10 +74,14 @@ pub struct Case {
     pub coefficients: String,
     /// What its columns mean, whether it is mirrored, and where derivatives are from.
     pub reading: Reading,
+    /// The lengths that its coefficients stand over, where they are not D.
+    pub reference: Reference,
     /// How the table is read between its angles.
     pub interpolation: Interpolation,
     /// How far C_D, C_L and C_M may be from those of the table, if the case says so.
     pub errors: Option<[f64; 3]>,
+    /// Whether the mean moment of the wind twists the section.
+    pub mean_twist: bool,
     /// The angles.
     pub angles: Angles,
     /// What was set in place of what the file and its table say.
@@ -144,8 +150,10 @@ impl Case {
             parameters,
             coefficients: read.coefficients.unwrap_or_default(),
             reading: read.reading,
+            reference: read.reference,
             interpolation: read.interpolation.unwrap_or(Interpolation::Linear),
             errors: read.errors.map(|own| [own.drag, own.lift, own.moment]),
+            mean_twist: read.mean_twist,
             angles: Angles {
                 from: steps.from,
                 to: steps.to,
@@ -193,6 +201,35 @@ impl Case {
         }
     }
 
+    /// What its coefficients stand over, after a semicolon; nothing where that is D.
+    pub fn over_lengths(&self) -> String {
+        match self.reference.is_usual() {
+            true => String::new(),
+            false => format!(
+                "; {}, converted to D = {} m",
+                self.reference, self.parameters.reference_dimension
+            ),
+        }
+    }
+
+    /// Whether the mean moment twists it: it asks for that, and is free to turn.
+    pub fn is_twisted(&self) -> bool {
+        let free = self.parameters.free.as_slice();
+        self.mean_twist && free.contains(&Coordinate::Theta)
+    }
+
+    /// Refuses to give C_M one value, beside the curve that the mean twist follows.
+    pub(super) fn check_moment(&self, variable: Variable) -> Result<(), InputError> {
+        if !(self.is_twisted() && variable.is_moment()) {
+            return Ok(());
+        }
+        Err(InputError::new(
+            Place::file(&self.file),
+            "C_M is given, and the mean twist follows that of the table",
+            "leave `mean_twist` out of the case, or C_M to the table",
+        ))
+    }
+
     /// Sees that a quantity is set once, and that it is one.
     fn check_setting(&self, own: &Setting, earlier: &[Setting]) -> Result<(), InputError> {
         let (place, name) = (Place::file("--set"), own.variable.name);
@@ -208,8 +245,9 @@ impl Case {
                 "set every quantity once, by one name",
             ));
         }
+        self.check_moment(own.variable)?;
         if own.variable.is_held(&self.parameters) {
-            let what = format!("{name} does nothing: its coordinate is held");
+            let what = own.variable.does_nothing();
             return Err(InputError::new(place, what, "see `free` in the case"));
         }
         Ok(())
@@ -248,14 +286,24 @@ impl Case {
         parameters
     }
 
+    /// Coefficients of the table, with what is set in place of them.
+    pub(super) fn coefficients_as_set(&self, coefficients: Coefficients) -> Coefficients {
+        self.with_set(coefficients, |own| own)
+    }
+
     /// Errors of coefficients, without those of what is set in place of the table.
     pub(super) fn errors_of_table(&self, errors: Coefficients) -> Coefficients {
+        self.with_set(errors, |_| 0.0)
+    }
+
+    /// Coefficients with another number in place of those that are set.
+    fn with_set(&self, coefficients: Coefficients, number: impl Fn(f64) -> f64) -> Coefficients {
         let mut parameters = Parameters {
-            forces: errors.into(),
+            forces: coefficients.into(),
             ..self.parameters
         };
         for own in self.set.iter().filter(|own| own.variable.is_of_table()) {
-            own.variable.set(&mut parameters, 0.0);
+            own.variable.set(&mut parameters, number(own.value));
         }
         match parameters.forces {
             Forces::Coefficients(own) => own,
@@ -304,7 +352,12 @@ impl Case {
                 p.air_density
             ));
         }
-        for (name, length) in [Quantity::r, Quantity::L_a].map(given) {
+        let lengths = [Quantity::r, Quantity::L_a].map(given).into_iter();
+        let references = self.reference.lengths().into_iter();
+        let references =
+            references.map(|(name, own)| (format!("a reference length of {name}"), own));
+        let lengths = lengths.map(|(name, own)| (name.to_string(), own));
+        for (name, length) in lengths.chain(references) {
             if length > MOST_USUAL_LENGTHS * size || (name == "r" && size > MOST_USUAL_LENGTHS * r)
             {
                 remark(format!(
@@ -318,6 +371,7 @@ impl Case {
     fn check(&self, lines: &Lines) -> Result<(), InputError> {
         Section::new(self.parameters).map_err(|error| self.impossible(&error, lines))?;
         self.check_errors(lines)?;
+        self.check_reference(lines)?;
         let Angles { from, to, step, .. } = self.angles;
         let what = if ![from, to, step].iter().all(|number| number.is_finite()) {
             format!("the sweep from {from} to {to} in steps of {step} is not finite")
@@ -346,7 +400,20 @@ impl Case {
         }
     }
 
-    /// Reads the text of the table as the case says, with the errors that the case gives.
+    fn check_reference(&self, lines: &Lines) -> Result<(), InputError> {
+        let lengths = self.reference.lengths().into_iter();
+        let mut impossible = lengths.filter(|(_, own)| !(own.is_finite() && *own > 0.0));
+        match impossible.next() {
+            None => Ok(()),
+            Some((name, length)) => Err(InputError::new(
+                lines.place(&self.file, "section", "reference"),
+                format!("a reference length of {name} is {length} m, which is not above 0"),
+                REFERENCE,
+            )),
+        }
+    }
+
+    /// Reads the text of the table as the case says, with the errors and the reference lengths that the case gives.
     ///
     /// # Errors
     ///
@@ -354,6 +421,8 @@ impl Case {
     /// are known.
     pub fn read_table(&self, file: &str, text: &str) -> Result<CoefficientTable, InputError> {
         let table = CoefficientTable::read_as(file, text, &self.reading)?;
+        let dimension = self.parameters.reference_dimension;
+        let table = table.with_reference(&self.reference, dimension);
         let wrong = |what: String, help: &str| {
             let place = Place::file(&self.file);
             Err(InputError::new(place, what, help))

@@ -1,6 +1,6 @@
 //! A table of force coefficients against the angle of attack, as a wind tunnel gives it.
 
-mod angle;
+pub(super) mod angle;
 mod cells;
 pub(super) mod column;
 mod heading;
@@ -9,6 +9,7 @@ mod mirror;
 mod names;
 mod oddity;
 pub mod reading;
+pub mod reference;
 pub mod remarks;
 mod row;
 pub mod scatter;
@@ -21,6 +22,7 @@ use self::meaning::Unit;
 use self::mirror::{Mirror, put_ends_on_axes};
 use self::names::Names;
 use self::reading::Reading;
+use self::reference::Reference;
 use self::sheet::Sheet;
 use super::input::{InputError, Place, Remark, quoted};
 
@@ -51,6 +53,8 @@ pub struct CoefficientTable {
     columns: Vec<String>,
     /// Whether derivatives are those of columns.
     has_slopes: bool,
+    /// By what C_D, C_L and C_M are multiplied so that they stand over D and D².
+    factors: [f64; 3],
     /// How the table was continued by symmetry.
     mirror: Option<Mirror>,
     /// The first and the last angle as they are written, where they are read as one.
@@ -115,6 +119,7 @@ impl CoefficientTable {
             rows: Vec::new(),
             columns: columns.used(&sheet.heading, unit, reading.slopes),
             has_slopes: reading.slopes,
+            factors: [1.0; 3],
             mirror: None,
             joined: None,
             notes: Vec::new(),
@@ -234,7 +239,7 @@ impl CoefficientTable {
         self.rows = places.iter().map(|&own| self.rows[own]).collect();
     }
 
-    /// The rows, their angles increasing.
+    /// The rows as they are written, their angles increasing.
     pub fn rows(&self) -> &[Row] {
         &self.rows
     }
@@ -254,6 +259,21 @@ impl CoefficientTable {
     pub fn with_errors(mut self, errors: [f64; 3]) -> Self {
         self.rows.iter_mut().for_each(|row| row.errors = errors);
         self
+    }
+
+    /// The same table, whose coefficients stand over these lengths, of a section with this D in m.
+    #[must_use]
+    pub fn with_reference(self, reference: &Reference, dimension: f64) -> Self {
+        CoefficientTable {
+            factors: reference.factors(dimension),
+            ..self
+        }
+    }
+
+    /// The rows with coefficients, slopes and errors over D and D², as the equations have them.
+    pub(super) fn converted_rows(&self) -> Vec<Row> {
+        let rows = self.rows.iter();
+        rows.map(|row| row.times(self.factors)).collect()
     }
 
     /// The columns that are used, with the names that they have: `CL`, `CD = `cw``.

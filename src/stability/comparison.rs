@@ -4,6 +4,7 @@ mod agreement;
 mod following;
 mod point;
 mod range;
+mod twist;
 mod value;
 mod within;
 
@@ -19,13 +20,13 @@ use rayon::prelude::*;
 
 use super::case::Case;
 use super::coefficient_table::CoefficientTable;
-use super::coefficient_table::remarks::{radians, remarks};
+use super::coefficient_table::remarks::remarks;
 use super::coordinate::Coordinate;
 use super::error::StabilityError;
 use super::input::{InputError, Place, Remark};
-use super::interpolation::CoefficientCurves;
 use super::model::Model;
 use super::section::Section;
+use super::sections::Sections;
 use super::state_matrix;
 
 /// What the methods say of a case, at the angles of its sweep.
@@ -76,12 +77,14 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
         let what = format!("U = 0: {NO_WIND}");
         return Err(InputError::new(file, what, "give a wind speed above 0"));
     }
-    let curves = CoefficientCurves::new(table, case.interpolation)?;
+    let sections = Sections::new(case, table)?;
     let angles = case.angles.values();
-    let section = |angle: f64| section_at(case, table, &curves, angle);
+    let section = |angle: f64| Ok(sections.at(angle, table)?.0);
     let answers = |angles: &[f64]| -> Result<Vec<(Point, Modes)>, InputError> {
-        let sections: Result<Vec<_>, _> = angles.iter().map(|angle| section(*angle)).collect();
-        let found = point::points(angles, &sections?);
+        let found = angles.iter().map(|angle| sections.at(*angle, table));
+        let (sections, twists): (Vec<_>, Vec<_>) =
+            found.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
+        let found = point::points(angles, &sections, &twists);
         found.map_err(|(angle, error)| impossible(case, angle, &error))
     };
     let mut points = Vec::with_capacity(angles.len());
@@ -110,7 +113,11 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
     remarks.extend(self::remarks(table));
     remarks.extend(case.remarks());
     remarks.extend(weakened(case, &section, &points));
-    let corners = curves.corners(&angles);
+    remarks.extend(twist::remarks(case, &points));
+    let corners = match case.is_twisted() {
+        true => 0,
+        false => sections.curves().corners(&angles),
+    };
     if corners > 0 {
         remarks.push(Remark {
             place: file,
@@ -136,29 +143,6 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
         ),
         remarks,
     })
-}
-
-/// The section of a case at an angle in degrees, with the coefficients of its table there.
-pub(super) fn section_at(
-    case: &Case,
-    table: &CoefficientTable,
-    curves: &CoefficientCurves,
-    angle: f64,
-) -> Result<Section, InputError> {
-    let coefficients = curves.at(angle).map_err(|outside| {
-        let help = match radians(table) {
-            Some(remark) => remark.what,
-            None if table.is_circle() => "complete the table".to_string(),
-            None => format!(
-                "shorten the sweep in {}, complete the table, or write `mirror = true` if it is half of what is its own \
-                 mirror image",
-                case.file
-            ),
-        };
-        InputError::new(Place::file(table.file()), outside.to_string(), help)
-    })?;
-    let section = case.section(angle, coefficients);
-    section.map_err(|error| impossible(case, angle, &error))
 }
 
 fn impossible(case: &Case, angle: f64, error: &StabilityError) -> InputError {

@@ -9,12 +9,11 @@ use crate::algebra::trigonometric_sum::TrigonometricSums;
 
 use super::case::Case;
 use super::coefficient_table::CoefficientTable;
-use super::comparison::section_at;
 use super::exact_section::ExactSection;
 use super::in_speed::InSpeed;
-use super::input::InputError;
-use super::interpolation::CoefficientCurves;
+use super::input::{InputError, Place};
 use super::neutral::{enclosure, may_divide, without_pairs};
+use super::sections::Sections;
 pub use super::speed_part::Stability;
 use super::speed_part::{Found, LOWEST, Part};
 use super::speed_search::parts;
@@ -273,9 +272,15 @@ pub fn speeds_of(
     table: &CoefficientTable,
     highest: f64,
 ) -> Result<Vec<(f64, Speeds)>, InputError> {
-    let curves = CoefficientCurves::new(table, case.interpolation)?;
+    if case.is_twisted() {
+        let what =
+            "the mean twist goes with the wind speed, and critical speeds are of one attitude";
+        let help = "leave `mean_twist` out, or compute wind speeds one by one: `sextic sweep CASE --vary U=2:40:77`";
+        return Err(InputError::new(Place::file(&case.file), what, help));
+    }
+    let sections = Sections::new(case, table)?;
     let at = |angle: f64| {
-        let section = section_at(case, table, &curves, angle)?;
+        let (section, _) = sections.at(angle, table)?;
         Ok((angle, speeds(&ExactSection::from(&section), highest)))
     };
     let found: Vec<Result<_, InputError>> = case.angles.values().into_par_iter().map(at).collect();

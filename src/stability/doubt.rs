@@ -7,6 +7,8 @@ pub enum Doubt {
     Neutral,
     /// A determinant is not told from 0 with so many binary digits, and too long to be known exactly.
     Digits(usize),
+    /// Attitude and coefficients are open, by little, and it depends on what they are.
+    Open,
     /// The coefficients of the characteristic polynomial have too many digits or terms.
     TooLong,
 }

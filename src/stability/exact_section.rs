@@ -64,11 +64,16 @@ impl ExactSection {
         &self.0
     }
 
+    /// Whether it stands for others besides, whose attitude and coefficients are near its own.
+    pub fn is_open(&self) -> bool {
+        self.0.open.as_ref().is_some_and(|own| !own.is_nothing())
+    }
+
     /// Whether the wind turns the section over: static divergence, where the determinant of the stiffness is below 0,
     /// so that a real eigenvalue is above 0. What grows otherwise gallops, whether it oscillates or not.
     pub fn diverges(&self) -> bool {
-        // Without it the stiffness is that of the springs, which are above 0.
-        if !self.0.aerodynamic_stiffness {
+        // Without it the stiffness is that of the springs, which are above 0. Of several sections nothing is shown here.
+        if !self.0.aerodynamic_stiffness || self.is_open() {
             return false;
         }
         let sums = TrigonometricSums::new(Budget::new(MOST_PRODUCTS));

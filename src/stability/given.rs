@@ -9,6 +9,7 @@ use sextic_evaluators::characteristic_polynomial::CharacteristicPolynomialInputs
 use sextic_evaluators::closed_form::ClosedFormInputs;
 use sextic_evaluators::damping_coefficient::{DampingCoefficientInputs, damping_coefficient};
 use sextic_evaluators::exact_modes::ExactModesInputs;
+use sextic_evaluators::mean_twist::MeanTwistInputs;
 use sextic_evaluators::no_wind_modes::NoWindModesInputs;
 use sextic_evaluators::section_matrices::SectionMatricesInputs;
 use sextic_evaluators::small_motion::{SmallMotionAngles, SmallMotionInputs};
@@ -104,6 +105,21 @@ impl<T: Copy> Parameters<T> {
             D: self.reference_dimension,
             U: self.wind_speed,
             lamda_R,
+        }
+    }
+
+    /// With a twist, and the moment coefficient and its slope there.
+    pub(super) fn mean_twist_inputs(&self, theta_s: T, C_M: T, dC_M: T) -> MeanTwistInputs<T> {
+        MeanTwistInputs {
+            m: self.mass,
+            r: self.radius_of_gyration,
+            omega_theta: self.natural_frequencies[2],
+            rho: self.air_density,
+            D: self.reference_dimension,
+            U: self.wind_speed,
+            theta_s,
+            C_M,
+            dC_M,
         }
     }
 

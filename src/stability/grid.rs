@@ -15,8 +15,9 @@ use super::comparison::{NO_WIND, angle};
 use super::exact_modes;
 use super::given::Given;
 use super::input::{InputError, Place};
-use super::interpolation::CoefficientCurves;
-use super::section::{Coefficients, Section};
+use super::mean_twist::Twist;
+use super::section::{Coefficients, Open, Parameters, Section};
+use super::sections::Sections;
 use super::uniform_form::Order;
 use super::variable::Variable;
 
@@ -55,8 +56,10 @@ pub struct Grid<'a> {
     axes: Vec<Axis>,
     /// The values of the axes as they are shown.
     shown: Vec<Vec<f64>>,
-    /// The case at each angle.
+    /// The case at each angle, without its mean twist.
     angles: Vec<Given<f64>>,
+    /// What twists it, if it is twisted: at each point by itself.
+    twisting: Option<Sections<'a>>,
     /// What is open of its directions and of S_a there; `None` if that depends on an axis besides the angle.
     open: Option<Vec<[f64; 2]>>,
     /// Whether an axis besides the angle turns the section or its aerodynamic centre.
@@ -117,10 +120,27 @@ impl<'a> Grid<'a> {
                 let what = format!("{name} is varied, and {} is set", other.name);
                 return Err(wrong(what, "vary a quantity or set it"));
             }
+            case.check_moment(axis.variable)?;
             if axis.variable.is_held(&case.parameters) {
-                let what = format!("{name} does nothing: its coordinate is held");
-                return Err(wrong(what, "see `free` in the case"));
+                return Err(wrong(
+                    axis.variable.does_nothing(),
+                    "see `free` in the case",
+                ));
             }
+        }
+        let is_form_alone =
+            (methods.closed || methods.uniform) && !methods.exact && !methods.companion;
+        if is_form_alone && !case.parameters.free.are_all() {
+            let what = "the closed and the uniform form need x, y and theta to be free".into();
+            let help = "leave `--method` away: the state matrix applies to every section";
+            return Err(wrong(what, help));
+        }
+        if !case.reference.is_usual() && axes.iter().any(|own| own.variable == Variable::DIMENSION)
+        {
+            let what =
+                "D is varied, and `reference` converts the table to the D of the case".into();
+            let help = "set D: the case is then read with it; or leave `reference` out, with coefficients over D";
+            return Err(wrong(what, help));
         }
         if !axes.iter().any(|axis| axis.variable.is_angle()) {
             axes.push(Axis::at(Variable::ANGLE, case.angles.values()));
@@ -141,6 +161,7 @@ impl<'a> Grid<'a> {
             shown: axes.iter().map(shown).collect(),
             axes,
             angles: Vec::new(),
+            twisting: None,
             open: None,
             turns: false,
             moving: 0,
@@ -148,9 +169,13 @@ impl<'a> Grid<'a> {
             rows,
             methods,
         };
-        grid.angles = grid.case_at_angles(table)?;
+        let sections = Sections::new(case, table)?;
+        grid.angles = grid.case_at_angles(&sections, table)?;
+        grid.twisting = Some(sections).filter(Sections::are_twisted);
         grid.check_corners()?;
-        grid.find_what_moves();
+        if grid.twisting.is_none() {
+            grid.find_what_moves();
+        }
         Ok(grid)
     }
 
@@ -227,11 +252,14 @@ impl<'a> Grid<'a> {
     }
 
     /// The case at all angles, which must be in the table.
-    fn case_at_angles(&self, table: &CoefficientTable) -> Result<Vec<Given<f64>>, InputError> {
-        let curves = CoefficientCurves::new(table, self.case.interpolation)?;
+    fn case_at_angles(
+        &self,
+        sections: &Sections<'_>,
+        table: &CoefficientTable,
+    ) -> Result<Vec<Given<f64>>, InputError> {
         let (angles, _) = self.angles_and_others();
         let at = |&angle: &f64| {
-            let coefficients = curves.at(angle).map_err(|outside| {
+            let coefficients = sections.curves().at(angle).map_err(|outside| {
                 let help = "take angles within the table, or complete it";
                 InputError::new(Place::file(table.file()), outside.to_string(), help)
             })?;
@@ -294,6 +322,11 @@ impl<'a> Grid<'a> {
         self.axes.iter().map(|axis| axis.variable)
     }
 
+    /// Whether each point has a mean twist.
+    pub fn has_twists(&self) -> bool {
+        self.twisting.is_some()
+    }
+
     /// The methods that are asked.
     pub fn methods(&self) -> Methods {
         self.methods
@@ -335,14 +368,25 @@ impl<'a> Grid<'a> {
     }
 
     fn points(&self, points: Range<u64>) -> GridRows {
-        let batch = self.batch(points.clone());
+        let twisted: Option<Vec<Twisted>> = self.twisting.as_ref().map(|own| {
+            let points = points.clone();
+            points.map(|point| self.twisted(own, point)).collect()
+        });
+        let batch = match &twisted {
+            Some(rows) => Batch::new(columns_of(rows)),
+            None => self.batch(points.clone()),
+        };
         let asked = self.methods;
         let mut found = GridRows {
             values: self.values(&points),
+            twists: twisted.iter().flatten().map(|own| own.twist).collect(),
             ..GridRows::default()
         };
         if asked.exact {
-            let [direction, damping] = self.open(&points);
+            let [direction, damping] = match &twisted {
+                Some(rows) => open_of(rows),
+                None => self.open(&points),
+            };
             (found.exact, found.critical) = batch.exact([&direction, &damping]);
         }
         if asked.companion {
@@ -409,25 +453,83 @@ impl<'a> Grid<'a> {
         [directions, damping]
     }
 
-    /// The section of a point.
+    /// The section of a point, twisted by its mean moment; of numbers that are none where it has no certain twist.
+    fn twisted(&self, sections: &Sections<'_>, point: u64) -> Twisted {
+        let (angles, _) = self.angles_and_others();
+        let angle = angles[(point % angles.len() as u64) as usize];
+        let found = sections.twisted(angle, self.given(point).parameters);
+        let (mut parameters, twist) = found.unwrap_or_else(|_| {
+            let nothing = Coefficients::default().map(|_: &f64| f64::NAN);
+            let none = Parameters {
+                forces: nothing.into(),
+                open: Some(Open::default()),
+                ..self.given(point).parameters
+            };
+            (none, None)
+        });
+        if twist.is_some() {
+            self.vary(&mut parameters, point, Variable::is_of_table);
+        }
+        Twisted {
+            given: Given::of(&parameters),
+            twist,
+        }
+    }
+
+    /// The section of a point, without its mean twist.
     fn given(&self, point: u64) -> Given<f64> {
         let mut given = self.angles[(point % self.angles.len() as u64) as usize];
-        let mut rest = point;
-        for axis in self.axes.iter().rev() {
-            let count = axis.values().len() as u64;
-            let value = axis.values()[(rest % count) as usize];
-            axis.variable.set(&mut given.parameters, value);
-            rest /= count;
-        }
+        self.vary(&mut given.parameters, point, |_| true);
         match self.turns {
             true => Given::of(&given.parameters),
             false => given,
         }
     }
 
+    /// Gives some of the axes their values at a point.
+    fn vary(&self, parameters: &mut Parameters, point: u64, is_varied: impl Fn(Variable) -> bool) {
+        let mut rest = point;
+        for axis in self.axes.iter().rev() {
+            let count = axis.values().len() as u64;
+            if is_varied(axis.variable) {
+                axis.variable
+                    .set(parameters, axis.values()[(rest % count) as usize]);
+            }
+            rest /= count;
+        }
+    }
+
     fn row_of(&self, point: u64) -> Row {
         self.given(point).flattened().1
     }
+}
+
+/// The section of a point, and its mean twist if there is one that is certain.
+struct Twisted {
+    given: Given<f64>,
+    twist: Option<Twist>,
+}
+
+/// The sections in columns.
+fn columns_of(rows: &[Twisted]) -> Columns {
+    let Some(first) = rows.first() else {
+        return Columns::like(&Given::of(&Parameters::default()), 0);
+    };
+    let mut columns = Columns::like(&first.given, rows.len());
+    for own in rows {
+        let row = own.given.flattened().1;
+        columns.extend(&row, &vec![None; row.len()], 1);
+    }
+    columns
+}
+
+/// What is open of directions, and of S_a.
+fn open_of(rows: &[Twisted]) -> [Vec<f64>; 2] {
+    let open = rows
+        .iter()
+        .map(|own| exact_modes::open(&own.given.parameters).into());
+    let (directions, damping) = open.unzip();
+    [directions, damping]
 }
 
 /// The values of an axis at points, of which so many have the same.

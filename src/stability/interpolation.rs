@@ -4,7 +4,9 @@ use std::fmt;
 use std::sync::OnceLock;
 
 use serde::Deserialize;
+use sextic_evaluators::bounded::Bounded;
 
+use super::coefficient_table::angle::WHOLE;
 use super::coefficient_table::column::Column;
 use super::coefficient_table::{CoefficientTable, FEWEST_ROWS, Row};
 use super::forces::Coefficients;
@@ -94,6 +96,30 @@ struct Piece {
     influences: OnceLock<Vec<Vec<Curve>>>,
 }
 
+/// C_M without a hole: a cubic in each cell.
+#[derive(Clone, Debug)]
+pub(super) struct MomentPiece {
+    /// In degrees, increasing.
+    pub angles: Vec<f64>,
+    /// Σ bⱼ (3 over j) tʲ (1 − t)³⁻ʲ, with t from 0 to 1 along the cell.
+    pub cubics: Vec<[Bounded; 4]>,
+}
+
+impl MomentPiece {
+    /// Its first and its last angle.
+    pub fn ends(&self) -> [f64; 2] {
+        [self.angles[0], self.angles[self.angles.len() - 1]]
+    }
+
+    /// The cell of an angle.
+    pub fn cell(&self, angle: f64) -> usize {
+        cell(&self.angles, angle)
+    }
+}
+
+/// More than what is lost as bounds are computed.
+const MORE: f64 = 1.0 + 1e-12;
+
 #[derive(Clone, Debug)]
 enum Curve {
     Lines(Vec<f64>),
@@ -112,7 +138,7 @@ impl CoefficientCurves {
     ///
     /// If more than [`MOST_POINTS`] rows are to be smoothed, or no smoothing curve is found.
     pub fn new(table: &CoefficientTable, interpolation: Interpolation) -> Result<Self, InputError> {
-        let mut rows = table.rows().to_vec();
+        let mut rows = table.converted_rows();
         let is_circle = table.is_circle();
         // A table that stops one step short of the circle is closed with its first row.
         if is_circle && !table.is_closed() {
@@ -182,18 +208,48 @@ impl CoefficientCurves {
 
     /// The piece that holds an angle, and the angle there: as it is if any does, else turned round the circle.
     fn place(&self, angle: f64) -> Option<(&Piece, f64)> {
-        let holds = |piece: &&Piece| piece.first() <= angle && angle <= piece.last();
-        if let Some(piece) = self.pieces.iter().find(holds) {
+        let (piece, place) = self.piece_at(angle)?;
+        Some((&self.pieces[piece], place))
+    }
+
+    /// The number of that piece, and the angle there.
+    pub(super) fn piece_at(&self, angle: f64) -> Option<(usize, f64)> {
+        let holds = |piece: &Piece| piece.first() <= angle && angle <= piece.last();
+        if let Some(piece) = self.pieces.iter().position(holds) {
             return Some((piece, angle));
         }
         if !self.is_circle || !angle.is_finite() {
             return None;
         }
-        self.pieces.iter().find_map(|piece| {
+        self.pieces.iter().enumerate().find_map(|(number, piece)| {
             let place = piece.first() + (angle - piece.first()).rem_euclid(360.0);
             // The circle has no end, whatever the rounding of its last angle.
-            (self.is_whole || place <= piece.last()).then(|| (piece, place.min(piece.last())))
+            (self.is_whole || place <= piece.last()).then(|| (number, place.min(piece.last())))
         })
+    }
+
+    /// C_M piece by piece, and whether the only one goes round the circle.
+    pub(super) fn moment_pieces(&self) -> (Vec<MomentPiece>, bool) {
+        let piece = |own: &Piece| MomentPiece {
+            cubics: (0..own.angles.len() - 1)
+                .map(|cell| own.cubic(2, cell))
+                .collect(),
+            angles: own.angles.clone(),
+        };
+        (self.pieces.iter().map(piece).collect(), self.is_whole)
+    }
+
+    /// How far the coefficients at an angle, and their slopes, may be from those at others that are no farther from it
+    /// than this, in degrees.
+    ///
+    /// # Errors
+    ///
+    /// As [`CoefficientCurves::at`].
+    pub(super) fn moved_by(&self, angle: f64, by: f64) -> Result<Coefficients, OutsideTable> {
+        let (piece, place) = self.place(angle).ok_or_else(|| self.outside(angle))?;
+        Ok(coefficients(
+            [0, 1, 2].map(|curve: usize| piece.moved_by(curve, place, by)),
+        ))
     }
 
     /// Why an angle has no place: the pieces around it, if there are any.
@@ -362,6 +418,62 @@ impl Piece {
         match self.interpolation {
             Interpolation::Linear => Curve::Lines(values),
             _ => Curve::Spline(CubicSpline::new(&self.angles, &values, self.ends)),
+        }
+    }
+
+    /// A column in a cell as Σ bⱼ (3 over j) tʲ (1 − t)³⁻ʲ, with t from 0 to 1 along the cell.
+    fn cubic(&self, column: usize, cell: usize) -> [Bounded; 4] {
+        let exact = |own: f64| Bounded::exact(own);
+        match &self.curves[column] {
+            Curve::Lines(values) => {
+                let [from, to] = [exact(values[cell]), exact(values[cell + 1])];
+                let third = (to - from) / 3.0;
+                [from, from + third, to - third, to]
+            }
+            Curve::Spline(spline) => {
+                let third = (exact(self.angles[cell + 1]) - exact(self.angles[cell])) / 3.0;
+                let [from, to, rise, fall] = spline.ends(cell).map(exact);
+                [from, from + third * rise, to - third * fall, to]
+            }
+        }
+    }
+
+    /// How far a curve and its slope, per degree, may be from what they are at places no farther away than this.
+    fn moved_by(&self, column: usize, place: f64, by: f64) -> (f64, f64) {
+        let (_, slope) = self.at_curve(&self.curves[column], place);
+        let bend = self.bend(&self.curves[column], place, by);
+        let value = by * (slope.abs() + bend);
+        let given = self.slopes.as_ref().map(|own| &own[column]);
+        let given = given.map(|own| {
+            let (_, slope) = self.at_curve(own, place);
+            (by * (slope.abs() + self.bend(own, place, by))).to_radians()
+        });
+        (value * MORE, given.unwrap_or(bend) * MORE)
+    }
+
+    /// How far the slope of a curve may be from what it is at places no farther away than this.
+    fn bend(&self, curve: &Curve, place: f64, by: f64) -> f64 {
+        // Where an angle falls on a row by rounding, the cells on both sides count.
+        let [first, last] =
+            [place - by - WHOLE, place + by + WHOLE].map(|own| cell(&self.angles, own));
+        match curve {
+            Curve::Spline(spline) => {
+                let bends = (first..=last).map(|cell| spline.largest_bend(cell));
+                by * bends.fold(0.0, f64::max)
+            }
+            Curve::Lines(_) => {
+                let slope = |cell: usize| {
+                    let middle = f64::midpoint(self.angles[cell], self.angles[cell + 1]);
+                    self.at_curve(curve, middle).1
+                };
+                let own = self.at_curve(curve, place).1;
+                let slopes = (first..=last).map(|cell| (slope(cell) - own).abs());
+                if first == last {
+                    0.0
+                } else {
+                    slopes.fold(0.0, f64::max)
+                }
+            }
         }
     }
 

@@ -8,10 +8,9 @@ use sextic_evaluators::bounded::Bounded;
 use super::ball::{Ball, cosine_and_sine};
 use super::coordinate::Coordinate;
 use super::error::StabilityError;
-use super::forces::Forces;
-use super::forces::Matrix;
+use super::forces::{Coefficients, Forces, Matrix};
 use super::given::Given;
-use super::section::{Parameters, Section};
+use super::section::{Open, Parameters, Section};
 
 /// The matrices of a section for its free coordinates, Eqs. (9), (12), (17) and (18): those of
 /// `derivations/exact-modes.md`, with the aerodynamic stiffness of `derivations/extensions.md`, section 3, where
@@ -178,7 +177,7 @@ impl Model {
     /// Whether the wind turns the section over, by the sign of |K + K_a|; `None` where rounding leaves it open.
     ///
     /// See [`ExactSection::diverges`](super::exact_section::ExactSection::diverges).
-    pub(super) fn diverges(&self) -> Option<bool> {
+    pub fn diverges(&self) -> Option<bool> {
         if !self.section.parameters().aerodynamic_stiffness {
             return Some(false);
         }
@@ -245,10 +244,40 @@ pub(super) fn given_with_bounds(p: &Parameters, unit: f64) -> Given<Bounded> {
         let angles: Vec<f64> = angles.iter().copied().copied().collect();
         cosine_and_sine(&angles)
     });
+    if let Some(open) = &p.open {
+        widen(&mut given, open);
+    }
     let per_unit = |own: f64| rescaled(own / unit);
     given.parameters.natural_frequencies = p.natural_frequencies.map(per_unit);
     given.parameters.wind_speed = per_unit(p.wind_speed);
     given
+}
+
+/// Adds what is open to the bounds of directions and coefficients: a cosine or sine moves by no more than its angle.
+fn widen(given: &mut Given<Bounded>, open: &Open) {
+    let directions = [&mut given.mass_centre, &mut given.aerodynamic_centre];
+    for own in directions.into_iter().flatten() {
+        *own = widened(*own, open.attitude);
+    }
+    if let Forces::Coefficients(own) = &mut given.parameters.forces {
+        let by = &open.coefficients;
+        *own = Coefficients {
+            drag: widened(own.drag, by.drag),
+            lift: widened(own.lift, by.lift),
+            moment: widened(own.moment, by.moment),
+            drag_slope: widened(own.drag_slope, by.drag_slope),
+            lift_slope: widened(own.lift_slope, by.lift_slope),
+            moment_slope: widened(own.moment_slope, by.moment_slope),
+        };
+    }
+}
+
+fn widened(own: Bounded, by: f64) -> Bounded {
+    let error = match by == 0.0 {
+        true => own.error,
+        false => (own.error + by).next_up(),
+    };
+    Bounded { error, ..own }
 }
 
 /// A number over a power of two, which rounds nothing but what becomes subnormal.

@@ -3,10 +3,9 @@
 use rayon::prelude::*;
 
 use super::batch::Batch;
-use super::case::Case;
 use super::comparison::{FollowedMode, Following, Modes};
 use super::error::StabilityError;
-use super::section::{Coefficients, Parameters, Section};
+use super::section::{Parameters, Section};
 
 /// The modes of a section whose mass centre is at a distance e r from O.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,7 +16,7 @@ pub struct OffsetPoint {
     pub modes: Vec<FollowedMode>,
 }
 
-/// The modes of a case at an angle in degrees, with e from 0 to a largest value below 1, in so many steps;
+/// The modes of a section, with e from 0 to a largest value below 1, in so many steps;
 /// they are numbered by their frequency at e = 0, the highest first, and followed by their shapes.
 ///
 /// The shape and the mass stay as they are, as in Fig. 7 of the paper. Linear in the number of steps.
@@ -26,17 +25,15 @@ pub struct OffsetPoint {
 ///
 /// As [`Section::new`], and if a section has no answer.
 pub fn against_offset(
-    case: &Case,
-    coefficients: Coefficients,
-    angle: f64,
+    own: &Section,
     largest: f64,
     steps: usize,
 ) -> Result<Vec<OffsetPoint>, StabilityError> {
     let eccentricity = |step: usize| largest * step as f64 / steps.max(1) as f64;
     let section = |step: usize| {
         Section::new(Parameters {
-            mass_centre_distance: eccentricity(step) * case.parameters.radius_of_gyration,
-            ..*case.section(angle, coefficients)?.parameters()
+            mass_centre_distance: eccentricity(step) * own.parameters().radius_of_gyration,
+            ..*own.parameters()
         })
     };
     let sections: Vec<Section> = (0..=steps).map(section).collect::<Result<_, _>>()?;

@@ -1,7 +1,7 @@
 //! The parameters of a section in the wind.
 
 use super::coordinate::FreeCoordinates;
-use super::forces::Forces;
+use super::forces::{Coefficients, Forces};
 
 /// The parameters of a section in the wind, in SI units and radians; nothing is checked yet.
 ///
@@ -41,6 +41,24 @@ pub struct Parameters<T = f64> {
     pub free: FreeCoordinates,
     /// Whether the angle of attack follows the turn of the section as it moves: the paper leaves that out.
     pub aerodynamic_stiffness: bool,
+    /// How far attitude and coefficients may be from these; `None` where they are these.
+    pub open: Option<Open<T>>,
+}
+
+/// How far an attitude, and coefficients there, may be from some: what is certain is so for all of them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Open<T = f64> {
+    /// Of θ_0, in rad.
+    pub attitude: T,
+    /// Of the coefficients and their slopes.
+    pub coefficients: Coefficients<T>,
+}
+
+impl<T: Default + PartialEq> Open<T> {
+    /// Whether nothing is open.
+    pub fn is_nothing(&self) -> bool {
+        *self == Open::default()
+    }
 }
 
 impl<T> Parameters<T> {
@@ -63,6 +81,10 @@ impl<T> Parameters<T> {
             forces: self.forces.map(&number),
             free: self.free,
             aerodynamic_stiffness: self.aerodynamic_stiffness,
+            open: self.open.as_ref().map(|own| Open {
+                attitude: number(&own.attitude),
+                coefficients: own.coefficients.map(&number),
+            }),
         }
     }
 }

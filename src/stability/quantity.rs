@@ -37,7 +37,7 @@ pub(super) enum Unit {
 pub(super) enum Owner {
     /// The section, whatever is free.
     Section,
-    /// The levers of its turn, which count where it turns.
+    /// Its turn, and counts where it turns: levers, and moments about O.
     Lever,
     /// A coordinate: it is not used where that is held.
     Motion(Coordinate),
@@ -189,10 +189,10 @@ quantities! { own:
 
     C_D  { forces: Forces::Coefficients(Coefficients { drag: own, .. }), .. }         Any Si Section Forces Table;
     C_L  { forces: Forces::Coefficients(Coefficients { lift: own, .. }), .. }         Any Si Section Forces Table;
-    C_M  { forces: Forces::Coefficients(Coefficients { moment: own, .. }), .. }       Any Si Section Forces Table;
+    C_M  { forces: Forces::Coefficients(Coefficients { moment: own, .. }), .. }       Any Si Lever   Forces Table;
     dC_D { forces: Forces::Coefficients(Coefficients { drag_slope: own, .. }), .. }   Any Si Section Forces Table;
     dC_L { forces: Forces::Coefficients(Coefficients { lift_slope: own, .. }), .. }   Any Si Section Forces Table;
-    dC_M { forces: Forces::Coefficients(Coefficients { moment_slope: own, .. }), .. } Any Si Section Forces Table;
+    dC_M { forces: Forces::Coefficients(Coefficients { moment_slope: own, .. }), .. } Any Si Lever   Forces Table;
 
     S_xx { forces: Forces::ScaledDamping([[own, _, _], _, _]), .. } Any Si Section ScaledDamping Nowhere;
     S_xy { forces: Forces::ScaledDamping([[_, own, _], _, _]), .. } Any Si Section ScaledDamping Nowhere;
@@ -288,6 +288,12 @@ impl Quantity {
             value,
             must_be: what.into(),
         }
+    }
+
+    /// Whether something hangs on it with these free coordinates.
+    pub fn acts(self, free: FreeCoordinates) -> bool {
+        let turns = free.as_slice().contains(&Coordinate::Theta);
+        self.is_used(free) && (turns || self.row().owner != Owner::Lever)
     }
 
     /// Whether it is one of the section with these free coordinates.

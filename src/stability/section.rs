@@ -5,7 +5,7 @@ use super::error::StabilityError;
 pub use super::forces::Coefficients;
 use super::forces::{Forces, norm};
 use super::given::Given;
-pub use super::parameters::Parameters;
+pub use super::parameters::{Open, Parameters};
 use super::quantity::Quantity;
 
 /// A section whose parameters are possible: L_g < r, m, r, D, ρ and the frequencies above 0, all finite.
@@ -31,6 +31,7 @@ use super::quantity::Quantity;
 ///     forces: Coefficients { drag: 1.2, lift_slope: -3.0, ..Coefficients::default() }.into(),
 ///     free: FreeCoordinates::all(),
 ///     aerodynamic_stiffness: false,
+///     open: None,
 /// };
 /// assert!(Section::new(parameters.clone()).is_ok());
 ///

@@ -80,6 +80,25 @@ impl CubicSpline {
         let slope = delta + left * (1.0 - t) * (1.0 - 3.0 * t) + right * t * (3.0 * t - 2.0);
         (value, slope)
     }
+
+    /// The values at both ends of a cell, and the slopes there.
+    pub(super) fn ends(&self, cell: usize) -> [f64; 4] {
+        [
+            self.y[cell],
+            self.y[cell + 1],
+            self.slopes[cell],
+            self.slopes[cell + 1],
+        ]
+    }
+
+    /// The largest second derivative in a cell, which is linear there.
+    pub(super) fn largest_bend(&self, cell: usize) -> f64 {
+        let h = self.x[cell + 1] - self.x[cell];
+        let [from, to, rise, fall] = self.ends(cell);
+        let delta = (to - from) / h;
+        let (left, right) = (rise - delta, fall - delta);
+        (2.0 * left + right).abs().max((left + 2.0 * right).abs()) * 2.0 / h
+    }
 }
 
 /// The cell [x_i, x_{i+1}) of a place; the last one holds its upper end too.

@@ -534,6 +534,7 @@ mod tests {
                 forces: from_numbers([c[0], c[1], c[2], c[3], c[4], c[5]]).into(),
                 free: FreeCoordinates::all(),
                 aerodynamic_stiffness: is_stiff,
+                open: None,
             })
     }
 

@@ -75,7 +75,7 @@ const LEAST: f64 = 1e-9;
 ///
 /// # Errors
 ///
-/// If there is no wind, a coordinate is held, there is aerodynamic stiffness, an angle is outside of the table,
+/// If there is no wind, a coordinate is held, there is aerodynamic stiffness or a mean twist, an angle is outside of the table,
 /// or a section has no answer.
 pub fn validity(case: &Case, table: &CoefficientTable) -> Result<Validity, InputError> {
     check(case)?;
@@ -126,6 +126,11 @@ fn check(case: &Case) -> Result<(), InputError> {
     if !p.free.are_all() {
         let what = "the closed forms need x, y and theta to be free";
         return Err(wrong(case, what, "leave `free` out of the case"));
+    }
+    if case.is_twisted() {
+        let what = "each wind of the map twists the section otherwise";
+        let help = "leave `mean_twist` out of the case: the map is of one attitude";
+        return Err(wrong(case, what, help));
     }
     if p.aerodynamic_stiffness {
         let what = "the forms leave aerodynamic stiffness out";

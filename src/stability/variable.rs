@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::quantity::{Quantity, Source, Unit};
+use super::quantity::{Owner, Quantity, Source, Unit};
 use super::section::Parameters;
 
 /// A quantity of a case, by the name and in the unit of the case file, or by that of the command line in
@@ -49,6 +49,13 @@ impl Variable {
         quantities: &[Quantity::L_g],
     };
 
+    /// D, in m.
+    pub(super) const DIMENSION: Variable = Variable {
+        name: "D",
+        unit: Unit::Metre,
+        quantities: &[Quantity::D],
+    };
+
     /// U, in m/s.
     pub(super) const WIND_SPEED: Variable = Variable {
         name: "U",
@@ -83,6 +90,11 @@ impl Variable {
         self.quantities.is_empty()
     }
 
+    /// Whether it sets C_M.
+    pub(super) fn is_moment(self) -> bool {
+        self.quantities.contains(&Quantity::C_M)
+    }
+
     /// Whether it sets what is otherwise read from the table.
     pub(super) fn is_of_table(self) -> bool {
         let is_of_table = |own: &Quantity| matches!(own.row().source, Source::Table);
@@ -98,7 +110,17 @@ impl Variable {
     /// Whether it sets nothing of a section but what belongs to coordinates that are held.
     pub(super) fn is_held(self, parameters: &Parameters) -> bool {
         let mut quantities = self.quantities.iter();
-        !self.is_angle() && quantities.all(|own| !own.is_used(parameters.free))
+        !self.is_angle() && quantities.all(|own| !own.acts(parameters.free))
+    }
+
+    /// What is said of one that is.
+    pub(super) fn does_nothing(self) -> String {
+        let mut quantities = self.quantities.iter();
+        let reason = match quantities.all(|own| own.row().owner == Owner::Lever) {
+            true => "theta",
+            false => "its coordinate",
+        };
+        format!("{} does nothing: {reason} is held", self.name)
     }
 
     /// Gives it a value; the angle of attack is for the case to set, with the coefficients there.

@@ -77,6 +77,8 @@ impl fmt::Display for Verdict {
                 formatter,
                 "a Hurwitz determinant is not told from 0 by {bits} binary digits"
             ),
+            Verdict::Undecided(Doubt::Open) => formatter
+                .write_str("it depends on less than the bound to which the mean twist is certain"),
             Verdict::Undecided(Doubt::TooLong) => formatter
                 .write_str("the numbers are too long for exact arithmetic: give them fewer digits"),
         }
@@ -115,8 +117,13 @@ pub(super) fn by_errors((part, error): (f64, f64)) -> Option<Verdict> {
 /// positive. Where one is exactly 0, what even and odd part have in common is looked at by itself: its
 /// roots λ² are those of the pairs ±λ; a root that is 0 is split off before.
 ///
+/// Where attitude and coefficients are open, it is not decided: exact arithmetic is for one section.
+///
 /// Bounded: at most 2,100,000 products of machine words in exact sums, and 4096 binary digits.
 pub fn exact_verdict(section: &ExactSection) -> Verdict {
+    if section.is_open() {
+        return Verdict::Undecided(Doubt::Open);
+    }
     let sums = |steps: u64| TrigonometricSums::new(Budget::new(steps));
     let found = polynomial_and_squares(section, &sums(LONGEST_POLYNOMIAL));
     let found = found.map_err(|_| Doubt::TooLong);

@@ -6,7 +6,11 @@ mod figures;
 #[cfg(feature = "stability")]
 mod files;
 mod generation;
+#[cfg(feature = "stability")]
+mod held;
 mod input;
+#[cfg(feature = "stability")]
+mod mean_twist;
 #[cfg(feature = "stability")]
 mod modes;
 mod mutate;

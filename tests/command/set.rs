@@ -322,3 +322,63 @@ fn the_modes_of_a_case_show_its_coefficients_and_what_its_errors_leave_open() {
     assert_eq!(found["coefficients"]["C_D"], 1.0);
     assert_eq!(found["within_errors"]["verdict"], "stable");
 }
+
+#[test]
+fn every_report_says_what_coefficients_stand_over() {
+    let path = case("reference");
+    let text = std::fs::read_to_string(&path).expect("a case");
+    let text = text.replace(
+        "interpolation =",
+        "reference = { CD = 0.1, CM = [0.1, 0.05] }\ninterpolation =",
+    );
+    std::fs::write(&path, text).expect("a case");
+    let words = "CD over 0.1 m, CM over 0.1 m × 0.05 m, converted to D = 0.05 m";
+    let (page, figures) = (
+        path.replace("detuned.toml", "page.html"),
+        path.replace("detuned.toml", "figures"),
+    );
+    for command in [
+        "stability",
+        "speeds",
+        "validity",
+        "modes",
+        "sweep",
+        "figures",
+        "report",
+    ] {
+        let more: &[&str] = match command {
+            "modes" => &["--alpha", "30"],
+            "sweep" => &["--vary", "U=4:5:2", "--set", "alpha_deg=30"],
+            "figures" => &["--set", "alpha_deg=30", "--out", &figures],
+            "report" => &["--only-case", "--set", "alpha_deg=30", "--out", &page],
+            _ => &["--set", "alpha_deg=30", "--width", "200"],
+        };
+        let case: &[&str] = if command == "report" {
+            &["--case", &path]
+        } else {
+            &[&path]
+        };
+        let (status, out, err) = run(&[&[command], case, more].concat());
+        assert_eq!(status, Some(0), "{command}: {err}");
+        assert!(err.contains(words), "{command}: {err}");
+        if ["stability", "speeds", "validity"].contains(&command) {
+            assert!(out.contains(words), "{command}: {out}");
+            let found = read(&[&[command, &path], &more[..2]].concat());
+            assert_eq!(found["reference"], json!({"CD": 0.1, "CM": [0.1, 0.05]}));
+        }
+    }
+    assert!(
+        std::fs::read_to_string(page)
+            .expect("a page")
+            .contains(words)
+    );
+    // The table is converted to the D that is set.
+    let (_, _, err) = run(&["stability", &path, "--set", "D=0.1"]);
+    assert!(err.contains("converted to D = 0.1 m"), "{err}");
+    let (status, _, err) = run(&["sweep", &path, "--vary", "D=0.05:0.1:2"]);
+    assert_eq!(status, Some(2));
+    assert!(
+        err.contains("D is varied, and `reference` converts"),
+        "{err}"
+    );
+}

@@ -6,9 +6,9 @@ use std::path::Path;
 use sextic::report::gallery;
 use sextic::report::{csv, stability_figure, text};
 use sextic::stability::comparison::{Comparison, Method, Reason, compare};
-use sextic::stability::interpolation::CoefficientCurves;
 use sextic::stability::limitation::Limitation;
 use sextic::stability::offset::against_offset;
+use sextic::stability::sections::Sections;
 
 use super::cases::{read, shipped_case, snapshots};
 
@@ -266,16 +266,9 @@ fn the_offset_of_the_case_gives_its_modes() {
     let (case, table) = shipped_case("detuned.toml", &[("step = 0.5", "step = 10")]);
     let comparison = compare(&case, &table).expect("an answer");
     let e = case.parameters.mass_centre_distance / case.parameters.radius_of_gyration;
-    let coefficients = CoefficientCurves::new(&table, case.interpolation)
-        .expect("curves")
-        .at(130.0);
-    let offsets = against_offset(
-        &case,
-        coefficients.expect("in the table"),
-        130.0,
-        2.0 * e,
-        40,
-    );
+    let sections = Sections::new(&case, &table).expect("curves");
+    let (section, _) = sections.at(130.0, &table).expect("a section");
+    let offsets = against_offset(&section, 2.0 * e, 40);
     let offsets = offsets.expect("modes");
     let point = comparison.points.iter().find(|point| point.angle == 130.0);
     let (own, same) = (&offsets[20], point.expect("an angle"));

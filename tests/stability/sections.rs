@@ -35,6 +35,7 @@ pub fn section(numbers: &mut Numbers) -> Parameters {
     let radius = numbers.scale(0.01, 0.1);
     let turn = std::f64::consts::PI;
     Parameters {
+        open: None,
         mass: numbers.scale(0.5, 50.0),
         radius_of_gyration: radius,
         mass_centre_distance: radius * numbers.between(0.0, 0.5),

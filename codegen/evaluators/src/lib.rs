@@ -8,6 +8,7 @@
 //!
 //! - A point of the body at rest, and how far a small motion moves it: [`small_motion::small_motion`]
 //! - All positive exactly where every root of the polynomial has a negative real part: [`hurwitz_determinants::hurwitz_determinants`]
+//! - By how much a twist is too much for the mean moment; the stiffness of the turn over that of its springs; whether the twist grows with the wind: [`mean_twist::mean_twist`]
 //! - Damping in modal coordinates, and the frequencies, for perfect tuning, from the physical parameters: [`modal_damping_in_wind::modal_damping_in_wind`]
 //! - Damping in modal coordinates, and the frequencies, for perfect tuning, from the scaled damping matrix: [`modal_damping::modal_damping`]
 //! - Squares of the circular frequencies, and mode shapes, without wind and for perfect tuning, Eq. (15): [`no_wind_modes::no_wind_modes`]
@@ -74,6 +75,8 @@ pub mod first_uniform_cubic_in_wind;
 pub mod hurwitz_determinants;
 #[rustfmt::skip]
 pub mod matching_residuals;
+#[rustfmt::skip]
+pub mod mean_twist;
 #[rustfmt::skip]
 pub mod modal_damping;
 #[rustfmt::skip]

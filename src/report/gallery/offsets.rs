@@ -7,8 +7,8 @@ use crate::stability::case::Case;
 use crate::stability::coefficient_table::CoefficientTable;
 use crate::stability::comparison::{Comparison, FollowedMode, angle};
 use crate::stability::input::{InputError, Place};
-use crate::stability::interpolation::CoefficientCurves;
 use crate::stability::offset::{OffsetPoint, against_offset};
+use crate::stability::sections::Sections;
 use crate::stability::tuned_modes::TunedSection;
 
 use super::{DAMPING, FREQUENCY, Gallery, MODES, by_mode};
@@ -98,10 +98,8 @@ pub(super) fn offset(
         let help = "correct the case or its table";
         InputError::new(Place::file(&case.file), what, help)
     };
-    let curves = CoefficientCurves::new(table, case.interpolation)?;
-    let coefficients = curves.at(worst).map_err(|error| wrong(error.to_string()))?;
-    let largest = largest_offset(LARGEST, case);
-    let points = against_offset(case, coefficients, worst, largest, STEPS)
+    let (section, _) = Sections::new(case, table)?.at(worst, table)?;
+    let points = against_offset(&section, largest_offset(LARGEST, case), STEPS)
         .map_err(|error| wrong(error.to_string()))?;
     let subtitle = set(
         case,

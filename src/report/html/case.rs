@@ -8,7 +8,7 @@ use crate::report::gallery::Named;
 use crate::report::speeds::{self, SpeedsFound};
 use crate::report::stability::{
     PROOF, WITHIN, agreement, conclusion, frequency, largest_error, mode, power, reasons, rounded,
-    title, within_errors,
+    title, twists, within_errors,
 };
 use crate::report::validity::{departure, reach};
 use crate::report::{speeds_figure, stability_figure, validity_figure};
@@ -35,8 +35,12 @@ pub struct CaseView {
     within_worth: &'static str,
     /// Critical wind speeds by the angles.
     speed_lines: Vec<(String, String)>,
-    highest_speed: String,
-    speeds: FigureView,
+    highest_speed: Option<String>,
+    speeds: Option<FigureView>,
+    /// Why there are none.
+    no_speeds: Option<String>,
+    /// Between which mean twists the section lies.
+    twists: Option<String>,
     validity: Option<FigureView>,
     /// Why there is no figure of it.
     no_validity: Option<String>,
@@ -81,6 +85,7 @@ impl CaseView {
     pub fn new(case: &CaseFiles) -> Result<Self, String> {
         let comparison = &case.comparison;
         let [file, table] = &case.files;
+        let found = case.speeds.as_ref().ok();
         Ok(CaseView {
             name: stability_figure::name(&comparison.case).to_owned(),
             title: behind_numbers(&title(comparison)),
@@ -91,12 +96,16 @@ impl CaseView {
             proof: PROOF,
             within: within_errors(comparison),
             within_worth: WITHIN,
-            speed_lines: speeds::lines(&case.speeds)
+            speed_lines: found
+                .map(speeds::lines)
+                .unwrap_or_default()
                 .into_iter()
                 .map(|(angles, words)| (angles, behind_numbers(&words)))
                 .collect(),
-            highest_speed: behind_numbers(&format!("{} m/s", case.speeds.highest)),
-            speeds: speeds(&case.speeds)?,
+            highest_speed: found.map(|own| behind_numbers(&format!("{} m/s", own.highest))),
+            speeds: found.map(speeds).transpose()?,
+            no_speeds: case.speeds.as_ref().err().cloned(),
+            twists: twists(comparison),
             validity: case.validity.as_ref().ok().map(validity).transpose()?,
             no_validity: case.validity.as_ref().err().cloned(),
             unstable: comparison

@@ -128,11 +128,13 @@ fn of_case(case: &CaseFiles, set: &str) -> Vec<Command> {
             format!("sextic stability{path}{set} --format json"),
             "every angle with every method and the bounds of all errors",
         ),
-        (
+    ];
+    if case.speeds.is_ok() {
+        commands.push((
             format!("sextic speeds{path}{set} --plot speeds.svg"),
             "the critical wind speeds",
-        ),
-    ];
+        ));
+    }
     if case.validity.is_ok() {
         commands.push((
             format!("sextic validity{path}{set} --plot validity.svg"),

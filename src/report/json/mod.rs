@@ -20,6 +20,7 @@ mod shown;
 mod speeds;
 #[cfg(feature = "stability")]
 mod stability;
+mod twist;
 #[cfg(feature = "stability")]
 mod validity;
 

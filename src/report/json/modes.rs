@@ -7,11 +7,14 @@ use crate::report::modes::{ModeFound, ModesFound, Moving, Shape};
 
 use super::pairs::{Pairs, coefficients};
 use super::stability::{WithinErrors, within_errors};
+use super::twist::TwistFound;
 use super::write;
 
 #[derive(Serialize)]
 struct Found<'a> {
     method: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    twist: Option<TwistFound>,
     eigenvalues: Vec<Eigenvalue>,
     s3d: Option<f64>,
     s3d_error: Option<f64>,
@@ -50,6 +53,7 @@ pub fn modes(found: &ModesFound) -> String {
     let reading = found.reading.as_ref();
     write(&Found {
         method: found.method,
+        twist: found.twist.as_ref().map(TwistFound::from),
         eigenvalues: found.modes.iter().map(eigenvalue).collect(),
         s3d: found.damping_coefficient.map(|(damping, _)| damping),
         s3d_error: found.damping_coefficient.and_then(|(_, error)| error),

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::report::speeds::SpeedsFound;
+use crate::stability::coefficient_table::reference::Reference;
 use crate::stability::comparison::angle;
 use crate::stability::critical_speed::Speeds;
 
@@ -15,6 +16,9 @@ struct Found<'a> {
     /// What was set in place of what the case says.
     #[serde(skip_serializing_if = "is_empty")]
     set: Pairs<f64>,
+    /// The lengths that its coefficients stand over, where they are not D.
+    #[serde(skip_serializing_if = "Reference::is_usual")]
+    reference: Reference,
     to: f64,
     points: Vec<AtAngle<'a>>,
 }
@@ -46,6 +50,7 @@ pub fn speeds(found: &SpeedsFound) -> String {
     write(&Found {
         case: &found.case.file,
         set: settings(&found.case),
+        reference: found.case.reference,
         to: found.highest,
         points: found.angles.iter().map(at_angle).collect(),
     })

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::report::stability::{frequency_in_hertz, reasons};
 use crate::stability::case::Case;
+use crate::stability::coefficient_table::reference::Reference;
 use crate::stability::comparison::{
     Agreement, AngleRange, Cause, Comparison, FollowedMode, Point, UnstableRange, Value, angle,
 };
@@ -11,6 +12,7 @@ use crate::stability::input::Remark;
 use crate::stability::tolerance::Tolerance;
 
 use super::pairs::{Pairs, coefficients, is_empty, settings};
+use super::twist::TwistFound;
 use super::write;
 
 #[derive(Serialize)]
@@ -19,6 +21,9 @@ struct Compared<'a> {
     /// What was set in place of what the case says.
     #[serde(skip_serializing_if = "is_empty")]
     set: Pairs<f64>,
+    /// The lengths that its coefficients stand over, where they are not D.
+    #[serde(skip_serializing_if = "Reference::is_usual")]
+    reference: Reference,
     free: Vec<&'a str>,
     table: &'a str,
     points: Vec<AtAngle<'a>>,
@@ -32,6 +37,8 @@ struct Compared<'a> {
 struct AtAngle<'a> {
     alpha_deg: f64,
     coefficients: Option<Pairs<f64>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    twist: Option<TwistFound>,
     s3d: ByMethod,
     verdict: &'a str,
     diverges: bool,
@@ -114,6 +121,7 @@ pub fn comparison(comparison: &Comparison) -> String {
     write(&Compared {
         case: &case.file,
         set: settings(case),
+        reference: case.reference,
         free: comparison.free().iter().map(|own| own.name()).collect(),
         table: &comparison.reading,
         points: comparison
@@ -143,6 +151,7 @@ fn at_angle<'a>(point: &'a Point, tolerance: Option<Tolerance>, case: &Case) -> 
     AtAngle {
         alpha_deg: angle(point.angle),
         coefficients: point.coefficients.as_ref().map(coefficients),
+        twist: point.twist.as_ref().map(TwistFound::from),
         s3d: ByMethod {
             exact: bounded(point.exact),
             companion: point.companion.map(bounded),

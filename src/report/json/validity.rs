@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::stability::coefficient_table::reference::Reference;
 use crate::stability::validity::{Departure, Form, Validity};
 
 use super::pairs::{Pairs, is_empty, settings};
@@ -13,6 +14,9 @@ struct Shown<'a> {
     /// What was set in place of what the case says.
     #[serde(skip_serializing_if = "is_empty")]
     set: Pairs<f64>,
+    /// The lengths that its coefficients stand over, where they are not D.
+    #[serde(skip_serializing_if = "Reference::is_usual")]
+    reference: Reference,
     eccentricity: f64,
     delta: f64,
     largest_scaled_damping: f64,
@@ -75,6 +79,7 @@ pub fn validity(validity: &Validity) -> String {
     write(&Shown {
         case: &validity.case.file,
         set: settings(&validity.case),
+        reference: validity.case.reference,
         eccentricity,
         delta,
         largest_scaled_damping: validity.strength,

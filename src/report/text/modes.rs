@@ -3,7 +3,9 @@
 use std::f64::consts::TAU;
 
 use crate::report::modes::{ModeFound, ModesFound, Moving, Reading, Shape};
-use crate::report::stability::{bound_with, decimal, decimals, is_unknown, power, significant};
+use crate::report::stability::{
+    bound_with, decimal, decimals, degrees, is_unknown, power, significant,
+};
 use crate::stability::comparison::{Value, angle};
 use crate::stability::tolerance::{Certainty, Tolerance};
 
@@ -66,6 +68,13 @@ pub fn modes(found: &ModesFound) -> String {
             String::new()
         };
         text += &format!("S_3D = {number}{within}{meaning}\n");
+    }
+    if let Some(twist) = &found.twist {
+        let (shown, within) = (degrees(twist), power(twist.error.to_degrees()));
+        text += &format!(
+            "Mean twist {shown}, certain within {within}°; balance: {}\n",
+            twist.word()
+        );
     }
     let verdict = found.verdict;
     text += &format!(
@@ -208,6 +217,7 @@ mod tests {
             shape: None,
         };
         modes(&ModesFound {
+            twist: None,
             subject: Subject::Section,
             method: "state",
             is_formula: false,

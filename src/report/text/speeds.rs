@@ -1,7 +1,7 @@
 //! The critical wind speeds of a case, for a terminal.
 
 use crate::report::speeds::{SpeedsFound, conclusion, lines};
-use crate::report::stability::with_stiffness;
+use crate::report::stability::options;
 
 use super::page::Page;
 use super::palette::{PLAIN, STRONG};
@@ -15,7 +15,7 @@ pub fn speeds(found: &SpeedsFound, width: usize) -> String {
         "{}: wind speeds up to {} m/s{}",
         found.case.title(),
         found.highest,
-        with_stiffness(&found.case)
+        options(&found.case)
     );
     page.prose(&[], &[Run::words(title, STRONG)]);
     page.gap();

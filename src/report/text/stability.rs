@@ -6,7 +6,7 @@ use anstyle::Style;
 
 use crate::report::stability::{
     PROOF, WITHIN, agreement, conclusion, frequency, largest_error, mode, power, reasons, rounded,
-    title, within_errors,
+    title, twists, within_errors,
 };
 use crate::stability::comparison::{Comparison, FollowedMode, Method, UnstableRange, angle};
 
@@ -29,6 +29,10 @@ pub fn comparison(comparison: &Comparison, width: usize) -> String {
     page.prose(&[], &[Run::words(title(comparison), STRONG)]);
     page.prose(&[], &[Run::words(&comparison.reading, FAINT)]);
     unstable(&mut page, comparison);
+    if let Some(words) = twists(comparison) {
+        page.heading("Mean twist");
+        page.prose(&[spaces(2)], &[Run::words(words, PLAIN)]);
+    }
     within(&mut page, comparison);
     methods(&mut page, comparison);
     if !comparison.remarks.is_empty() {

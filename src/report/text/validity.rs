@@ -1,5 +1,6 @@
 //! Where the closed forms of a case may be trusted, for a terminal.
 
+use crate::report::stability::options;
 use crate::report::validity::{departure, reach, rounded_up};
 use crate::stability::validity::{Form, Validity};
 
@@ -12,9 +13,10 @@ pub fn validity(validity: &Validity, width: usize) -> String {
     let mut page = Page::new(width);
     let [e, wind] = validity.own;
     let place = format!(
-        "{}: e = L_g/r = {e:.3e}, δ = ρDU/(2mω_n) = {wind:.3e}, δ|S_a| up to {:.3e}",
+        "{}: e = L_g/r = {e:.3e}, δ = ρDU/(2mω_n) = {wind:.3e}, δ|S_a| up to {:.3e}{}",
         validity.case.title(),
-        wind * validity.strength
+        wind * validity.strength,
+        options(&validity.case)
     );
     page.prose(&[], &[Run::words(place, STRONG)]);
     page.heading(&format!(

@@ -8,6 +8,7 @@ use toml::de::{DeTable, DeValue, Error, ValueDeserializer};
 use super::keys::Lines;
 use super::turn::Turn;
 use crate::stability::coefficient_table::reading::Reading;
+use crate::stability::coefficient_table::reference::Reference;
 use crate::stability::coordinate::{Coordinate, FreeCoordinates};
 use crate::stability::input::{InputError, quoted};
 use crate::stability::interpolation::Interpolation;
@@ -21,9 +22,11 @@ pub(super) struct File {
     numbers: BTreeMap<String, f64>,
     pub(super) coefficients: Option<String>,
     pub(super) reading: Reading,
+    pub(super) reference: Reference,
     pub(super) interpolation: Option<Interpolation>,
     free: Option<Vec<String>>,
     aerodynamic_stiffness: bool,
+    pub(super) mean_twist: bool,
     pub(super) alpha_deg: Option<Steps>,
     pub(super) turn: Option<Turn>,
     pub(super) errors: Option<Errors>,
@@ -69,12 +72,14 @@ impl File {
             "columns" => self.reading.columns = Deserialize::deserialize(value)?,
             "mirror" => self.reading.mirror = Deserialize::deserialize(value)?,
             "slopes" => self.reading.slopes = Deserialize::deserialize(value)?,
+            "reference" => self.reference = Deserialize::deserialize(value)?,
             "interpolation" => self.interpolation = Deserialize::deserialize(value)?,
             "errors" => self.errors = Deserialize::deserialize(value)?,
             "free" => self.free = Deserialize::deserialize(value)?,
             "aerodynamic_stiffness" => {
                 self.aerodynamic_stiffness = Deserialize::deserialize(value)?;
             }
+            "mean_twist" => self.mean_twist = Deserialize::deserialize(value)?,
             "alpha_deg" => self.alpha_deg = Deserialize::deserialize(value)?,
             "turn" => self.turn = Deserialize::deserialize(value)?,
             _ => drop(self.numbers.insert(key.into(), f64::deserialize(value)?)),

@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use toml::de::{DeTable, DeValue};
 
 use crate::stability::coefficient_table::KEYS;
-use crate::stability::coordinate::{Coordinate, FreeCoordinates};
+use crate::stability::coordinate::FreeCoordinates;
 use crate::stability::input::{InputError, Place, meant, quoted, shortened};
-use crate::stability::quantity::{Key, Owner, Quantity, Source, Unit};
+use crate::stability::quantity::{Key, Quantity, Source, Unit};
 
 /// The tables of a case file.
 const TABLES: [&str; 4] = ["section", "structure", "wind", "sweep"];
@@ -15,6 +15,10 @@ const TABLES: [&str; 4] = ["section", "structure", "wind", "sweep"];
 /// How the angles of a sweep are written.
 pub(super) const SWEEP: &str =
     "write alpha_deg = { from = 0, to = 180, step = 0.5 }, in degrees; one angle has from = to";
+
+/// How reference lengths are written.
+pub(super) const REFERENCE: &str = "write reference = { CD = 0.05, CL = 0.3, CM = [0.3, 0.3] }: lengths in m, for CM the two whose product it stands over; \
+     what is left out has D";
 
 /// How columns are named.
 const COLUMNS: &str =
@@ -24,7 +28,7 @@ const COLUMNS: &str =
 const STEPS: [&str; 3] = ["from", "to", "step"];
 
 /// The keys that are no quantities.
-const OTHERS: [Key; 10] = [
+const OTHERS: [Key; 12] = [
     Key::new("section", "coefficients", Some("the file of the table")),
     Key::new(
         "section",
@@ -35,8 +39,10 @@ const OTHERS: [Key; 10] = [
     Key::new("section", "mirror", None),
     Key::new("section", "slopes", None),
     Key::new("section", "errors", None),
+    Key::new("section", "reference", None),
     Key::new("structure", "free", None),
     Key::new("wind", "aerodynamic_stiffness", None),
+    Key::new("wind", "mean_twist", None),
     Key::new(
         "sweep",
         "alpha_deg",
@@ -57,9 +63,7 @@ fn keys() -> impl Iterator<Item = Key> {
 
 /// The keys that are needed with these free coordinates, in their order: a frequency and a ratio for each coordinate.
 fn needed(free: FreeCoordinates) -> Vec<Key> {
-    let turns = free.as_slice().contains(&Coordinate::Theta);
-    let is_needed =
-        |own: &Quantity| own.is_used(free) && (turns || own.row().owner != Owner::Lever);
+    let is_needed = |own: &Quantity| own.acts(free);
     let mut quantities: Vec<_> = Quantity::ALL.iter().copied().filter(is_needed).collect();
     quantities.sort_by_key(|own| own.row().owner);
     let keys = quantities.into_iter().filter_map(Quantity::key);
@@ -221,7 +225,9 @@ pub(super) fn not_read(file: &str, text: &str, error: &toml::de::Error) -> Input
     if let Some((what, help)) = other_kind(&message) {
         return InputError::new(place, shortened(&what), help);
     }
-    let help = if message.starts_with("missing field") {
+    let help = if message.ends_with("expected an array of length 2") {
+        REFERENCE
+    } else if message.starts_with("missing field") {
         "add it below this line"
     } else if message.starts_with("unknown field") {
         "write one of these"
@@ -235,7 +241,7 @@ pub(super) fn not_read(file: &str, text: &str, error: &toml::de::Error) -> Input
 }
 
 /// What serde calls a kind of value, what a person calls it, and how it is written.
-const KINDS: [[&str; 3]; 6] = [
+const KINDS: [[&str; 3]; 7] = [
     [
         "f64",
         "a number",
@@ -257,6 +263,7 @@ const KINDS: [[&str; 3]; 6] = [
         "a table of errors",
         "write errors = { CD = 0.01, CL = 0.02, CM = 0.005 }",
     ],
+    ["struct Reference", "a table of lengths", REFERENCE],
     ["struct Steps", "the steps of the sweep", SWEEP],
 ];
 

@@ -10,6 +10,7 @@ use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
 use crate::stability::error::StabilityError;
 use crate::stability::exact_section::ExactSection;
 use crate::stability::forces::Coefficients;
+use crate::stability::mean_twist::Twist;
 use crate::stability::section::Section;
 use crate::stability::sensitivity::weakened_by;
 use crate::stability::uniform_form::Order;
@@ -22,6 +23,8 @@ pub struct Point {
     pub angle: f64,
     /// The coefficients there; `None` where S_a is set in place of them.
     pub coefficients: Option<Coefficients>,
+    /// The mean twist, if the case asks for it.
+    pub twist: Option<Twist>,
     /// S by the exact eigenvalues: those of the state matrix, which the exact modes find where they can.
     pub exact: Value,
     /// Whether the section is stable, with proof.
@@ -67,16 +70,21 @@ impl Point {
 pub(super) fn points(
     angles: &[f64],
     sections: &[Section],
+    twists: &[Option<Twist>],
 ) -> Result<Vec<(Point, Modes)>, (f64, StabilityError)> {
     let batch = Batch::of(sections);
     let eigenvalues = batch.own_eigenvalues();
     let [uniform] = batch.uniform_forms([Order::Second]);
     let forms = batch.closed_forms().into_iter().zip(uniform);
     let rows = angles.iter().zip(sections).zip(eigenvalues).zip(forms);
-    let point = |(((angle, section), found), forms): (((&f64, _), _), _)| {
-        point(*angle, section, found, forms).map_err(|error| (*angle, error))
-    };
-    rows.map(point).collect()
+    let point =
+        |((((angle, section), found), forms), twist): ((((&f64, _), _), _), &Option<Twist>)| {
+            let (point, modes) =
+                point(*angle, section, found, forms).map_err(|error| (*angle, error))?;
+            let twist = *twist;
+            Ok((Point { twist, ..point }, modes))
+        };
+    rows.zip(twists).map(point).collect()
 }
 
 fn point(
@@ -96,6 +104,7 @@ fn point(
     let point = Point {
         angle,
         coefficients: section.parameters().forces.coefficients().copied(),
+        twist: None,
         // No wind is refused before.
         exact: value(spectrum).ok_or(StabilityError::OutOfRange)?,
         verdict: verdict(section, spectrum),

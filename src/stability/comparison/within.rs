@@ -98,9 +98,12 @@ impl<'a> Open<'a> {
     ///
     /// # Errors
     ///
-    /// If the errors of so many rows are not followed through splines.
+    /// If the errors of so many rows are not followed through splines, or would move a mean twist.
     pub fn of(case: &'a Case, table: &CoefficientTable) -> Result<Option<Self>, InputError> {
         let cause = match (table.has_errors(), scatter(table)) {
+            (true, _) if case.is_twisted() => return Err(twisted(case)),
+            // How scatter moves the twist is not followed.
+            (false, _) if case.is_twisted() => return Ok(None),
             (true, _) => Cause::Errors,
             // Of derivatives that the table gives no scatter is known.
             (false, _) if case.errors.is_some() || table.has_slopes() => return Ok(None),
@@ -162,6 +165,12 @@ pub(super) fn within(
         cause: open.cause,
         tolerances,
     }))
+}
+
+fn twisted(case: &Case) -> InputError {
+    let what = "errors of C_M move the mean twist, and this is not followed";
+    let help = "leave out `mean_twist`, or the errors of the coefficients";
+    InputError::new(Place::file(&case.file), what, help)
 }
 
 fn too_many(table: &CoefficientTable) -> InputError {

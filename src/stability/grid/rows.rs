@@ -4,12 +4,15 @@ use crate::stability::closed_form::Estimate;
 use crate::stability::comparison::Value;
 use crate::stability::coordinate::Coordinate;
 use crate::stability::limitation::Limits;
+use crate::stability::mean_twist::Twist;
 
 /// What the methods say at points of a grid: a column a method, empty unless it is asked.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GridRows {
     /// The values of each axis, in order; those of the angle, in degrees, last: NaN if none is the worst.
     pub values: Vec<Vec<f64>>,
+    /// The mean twist, where the case asks for it; `None` where there is none that is certain.
+    pub twists: Vec<Option<Twist>>,
     /// S by the exact eigenvalues; `None` where they have no bounded answer.
     pub exact: Vec<Option<Value>>,
     /// S by the companion matrix.
@@ -26,7 +29,13 @@ pub struct GridRows {
 impl GridRows {
     /// Of so many rows after each other that with the smallest S; no angle where none has one.
     pub(super) fn worst_of_each(&self, angles: usize) -> Self {
-        let sizes = self.leading();
+        let mut sizes = self.leading();
+        // An angle at which springs and wind have no balance is worse than any other.
+        for (size, twist) in sizes.iter_mut().zip(&self.twists) {
+            if twist.is_none() {
+                *size = f64::NEG_INFINITY;
+            }
+        }
         let smaller = |one: usize, other: usize| match sizes[other] < sizes[one] {
             true => other,
             false => one,
@@ -56,6 +65,7 @@ impl GridRows {
     fn only(&self, rows: &[usize]) -> Self {
         GridRows {
             values: self.values.iter().map(|own| only(own, rows)).collect(),
+            twists: only(&self.twists, rows),
             exact: only(&self.exact, rows),
             companion: only(&self.companion, rows),
             closed: only(&self.closed, rows),
