@@ -85,6 +85,43 @@ fn what_is_equal_is_told_apart() {
     assert_eq!(found["documents"][0]["equal"], json!(1));
 }
 
+/// Edits that nothing notices in the documents that come with the command, each as often as it is listed, with the
+/// reason why that does no harm.
+#[test]
+fn what_survives_in_the_documents_is_listed() {
+    let (_, out, errors) = run(&["mutate", "--format", "json"]);
+    assert_eq!(errors, "");
+    let found: Value = serde_json::from_str(&out).expect("JSON");
+    let mut listed: Vec<[&str; 4]> = include_str!("../data/survivors.txt")
+        .lines()
+        .map(|line| {
+            let parts: Vec<&str> = line.split(" | ").collect();
+            parts.try_into().expect("path | statement | edit | reason")
+        })
+        .collect();
+    let mut unlisted = Vec::new();
+    for document in found["documents"].as_array().expect("documents") {
+        let path = document["path"].as_str().expect("a path");
+        for own in document["survivors"].as_array().expect("survivors") {
+            let text = |key: &str| own[key].as_str().expect("text");
+            let edit = format!("{} → {}", text("from"), text("to"));
+            let is_it = |[file, statement, listed, _]: &[&str; 4]| {
+                *file == path && text("statement").starts_with(statement) && *listed == edit.trim()
+            };
+            match listed.iter().position(is_it) {
+                Some(place) => drop(listed.remove(place)),
+                None => unlisted.push(format!(
+                    "{path}:{}: {edit} in {}",
+                    own["line"],
+                    text("statement")
+                )),
+            }
+        }
+    }
+    assert!(unlisted.is_empty(), "{}", unlisted.join("\n"));
+    assert!(listed.is_empty(), "listed, and noticed: {listed:?}");
+}
+
 #[test]
 fn nothing_is_edited_before_all_is_as_expected() {
     let text = "```sextic\nparameter a, b : 1\nclaim (1): a == b\n```\n";

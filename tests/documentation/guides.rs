@@ -16,7 +16,7 @@ const WITHOUT_COMMANDS: [&str; 2] = ["docs/adversary.md", "docs/meaning.md"];
 const BESIDE_DOCUMENTS: [&str; 2] = ["derivations/README.md", "derivations/cases/README.md"];
 
 /// What some page shows with its output.
-const COMMANDS: [&str; 14] = [
+const COMMANDS: [&str; 15] = [
     "audit",
     "match",
     "generate",
@@ -31,6 +31,7 @@ const COMMANDS: [&str; 14] = [
     "report",
     "new",
     "show",
+    "mutate",
 ];
 
 /// The languages that a fence of README or a guide may have.
