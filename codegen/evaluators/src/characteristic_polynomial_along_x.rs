@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - SHA-256 of the document:
-//!   `959dfaf58c95b25833ca2c94a3f2bbcc73f54a1b6a6542b50c9e0c9988d76883`
+//!   `50358d5252f13d2734c03fa41eeda5c1d20205c9137f4517a9a4b0a75a378273`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -360,7 +360,7 @@ pub fn characteristic_polynomial_along_x_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
 /// - SHA-256 of the document:
-///   `959dfaf58c95b25833ca2c94a3f2bbcc73f54a1b6a6542b50c9e0c9988d76883`
+///   `50358d5252f13d2734c03fa41eeda5c1d20205c9137f4517a9a4b0a75a378273`
 #[must_use]
 pub fn characteristic_polynomial_along_x(inputs: &CharacteristicPolynomialAlongXInputs<f64>) -> CharacteristicPolynomialAlongXOutputs<f64> {
     characteristic_polynomial_along_x_body(inputs)

@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/extensions.md`
 //! - SHA-256 of the document:
-//!   `209445345fc34089316a3b42eed9b8fbf5a1a7099045cc5bc9a4f2f0de9972e0`
+//!   `c01d4248849d03c99a38b731dffdb28dd9da95f167501d941f8e75c194fe6faa`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -115,8 +115,8 @@ pub fn mean_twist_body<T: Arithmetic>(
 /// - `twisted := 1/2·k_θ·(θ_s + θ_d)²`
 /// - `w := √(u² + v²)`
 /// - `follows := attack + θ_d`
-/// - `u := U·c − dt(A[1]) at (θ_d = 0)`
-/// - `v := U·s − dt(A[2]) at (θ_d = 0)`
+/// - `u := relative[1] at (θ_d = 0)`
+/// - `v := relative[2] at (θ_d = 0)`
 /// - `J_θ := J_G + m·L_g²`
 /// - `…`
 ///
@@ -160,7 +160,7 @@ pub fn mean_twist_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/extensions.md`
 /// - SHA-256 of the document:
-///   `209445345fc34089316a3b42eed9b8fbf5a1a7099045cc5bc9a4f2f0de9972e0`
+///   `c01d4248849d03c99a38b731dffdb28dd9da95f167501d941f8e75c194fe6faa`
 #[must_use]
 pub fn mean_twist(inputs: &MeanTwistInputs<f64>) -> MeanTwistOutputs<f64> {
     mean_twist_body(inputs)

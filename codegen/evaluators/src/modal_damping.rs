@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/uniform.md`
 //! - SHA-256 of the document:
-//!   `893148d0e21d69ee7bda3302df895e9d5b02341c5754db3b461736d3ddd29e96`
+//!   `3ba5dc1adc67ec1905a40c9ca2784d994c10e6a4966cb5fe63485a1b0508ea57`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -372,7 +372,7 @@ pub fn modal_damping_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/uniform.md`
 /// - SHA-256 of the document:
-///   `893148d0e21d69ee7bda3302df895e9d5b02341c5754db3b461736d3ddd29e96`
+///   `3ba5dc1adc67ec1905a40c9ca2784d994c10e6a4966cb5fe63485a1b0508ea57`
 #[must_use]
 pub fn modal_damping(inputs: &ModalDampingInputs<f64>) -> ModalDampingOutputs<f64> {
     modal_damping_body(inputs)

@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/exact-modes.md`
 //! - SHA-256 of the document:
-//!   `781c183c5ae293b78c14ede24e0189de5b586820521aee9e1e2cc888b3c4227a`
+//!   `ff593ee3e4b2c8c91c88485344720e56d115927ce355ebbc920bda7dd92cb65a`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -333,7 +333,7 @@ pub fn shifted_polynomial_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/exact-modes.md`
 /// - SHA-256 of the document:
-///   `781c183c5ae293b78c14ede24e0189de5b586820521aee9e1e2cc888b3c4227a`
+///   `ff593ee3e4b2c8c91c88485344720e56d115927ce355ebbc920bda7dd92cb65a`
 #[must_use]
 pub fn shifted_polynomial(inputs: &ShiftedPolynomialInputs<f64>) -> ShiftedPolynomialOutputs<f64> {
     shifted_polynomial_body(inputs)

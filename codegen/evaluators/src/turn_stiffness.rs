@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/extensions.md`
 //! - SHA-256 of the document:
-//!   `17e6d9d052805e7b9f31309eac21be9525d72318a58894ef26321151aa03f274`
+//!   `c01d4248849d03c99a38b731dffdb28dd9da95f167501d941f8e75c194fe6faa`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -209,7 +209,7 @@ pub fn turn_stiffness_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/extensions.md`
 /// - SHA-256 of the document:
-///   `17e6d9d052805e7b9f31309eac21be9525d72318a58894ef26321151aa03f274`
+///   `c01d4248849d03c99a38b731dffdb28dd9da95f167501d941f8e75c194fe6faa`
 #[must_use]
 pub fn turn_stiffness(inputs: &TurnStiffnessInputs<f64>) -> TurnStiffnessOutputs<f64> {
     turn_stiffness_body(inputs)
