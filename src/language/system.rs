@@ -89,7 +89,7 @@ impl System {
             .chain(parts.map(|part| &part.matrix))
     }
 
-    /// A matrix by its name: `mass`, `damping` and `stiffness`, or the name of a part.
+    /// A matrix by its name: `mass`, `damping` and `stiffness`, or the name of a part that no other one has.
     pub(crate) fn matrix_named(&self, name: &Name) -> Option<Expression> {
         let parts = || self.damping.iter().chain(&self.stiffness);
         let sum = |parts: &[Part]| {
@@ -97,11 +97,14 @@ impl System {
             matrices.reduce(|sum, own| Expression::binary(BinaryOperator::Add, sum, own))
         };
         let is_it = |part: &&Part| part.name.as_ref().is_some_and(|own| own.value == *name);
-        match name.ascii.as_str() {
-            "mass" => Some(self.mass.clone()),
-            "damping" => sum(&self.damping),
-            "stiffness" => sum(&self.stiffness),
-            _ => parts().find(is_it).map(|part| part.matrix.clone()),
+        let own: Vec<&Part> = parts().filter(is_it).collect();
+        match (name.ascii.as_str(), own.as_slice()) {
+            ("mass", []) => Some(self.mass.clone()),
+            ("damping", []) => sum(&self.damping),
+            ("stiffness", []) => sum(&self.stiffness),
+            ("mass" | "damping" | "stiffness", _) => None,
+            (_, [only]) => Some(only.matrix.clone()),
+            _ => None,
         }
     }
 

@@ -58,8 +58,8 @@ pub fn details(claim: &Claim, notation: Notation, extent: Extent) -> Vec<Detail>
         let phrase = Phrase::of_mathematics(notation.expression(residual));
         details.push(Detail::new("leading term", phrase));
     }
-    if let Some(difference) = claim.difference.as_ref().filter(|own| own.is_it) {
-        let phrase = Phrase::of_mathematics(notation.expression(&difference.stated));
+    if let Some(difference) = &claim.difference {
+        let phrase = Phrase::of_mathematics(notation.expression(difference));
         details.push(Detail::new("left − right", phrase));
     }
     if let Some(witness) = &claim.witness {

@@ -280,7 +280,7 @@ impl Case {
             ..self.parameters
         };
         // Coefficients are those of the table, unless they are set.
-        for own in &self.set {
+        for own in self.set.iter().filter(|own| own.variable.is_of_table()) {
             own.variable.set(&mut parameters, own.value);
         }
         parameters

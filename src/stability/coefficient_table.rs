@@ -271,7 +271,7 @@ impl CoefficientTable {
     }
 
     /// The rows with coefficients, slopes and errors over D and D², as the equations have them.
-    pub(super) fn converted_rows(&self) -> Vec<Row> {
+    pub fn converted_rows(&self) -> Vec<Row> {
         let rows = self.rows.iter();
         rows.map(|row| row.times(self.factors)).collect()
     }

@@ -9,7 +9,7 @@ mod reader;
 mod refusal;
 mod showing;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use super::claim::Claim;
@@ -258,8 +258,8 @@ pub fn audit_after(
     audit_some(earlier, source, library, None)
 }
 
-/// Some statements of documents: the path of each, and the line on which it begins.
-pub(super) type Part = BTreeSet<(String, usize)>;
+/// Some statements of documents, by the paths of these: the lines on which they begin. Of other documents all are read.
+pub(super) type Part = BTreeMap<String, BTreeSet<usize>>;
 
 /// Reads some statements of a document and its imports, as if the others were not there; nothing where nothing can be
 /// read.

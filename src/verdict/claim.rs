@@ -81,15 +81,6 @@ pub struct Witness {
     pub right: String,
 }
 
-/// What the author of a refutation says that left − right is.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Difference {
-    /// That.
-    pub stated: Expression,
-    /// Whether it is so.
-    pub is_it: bool,
-}
-
 /// An assertion of a document and what became of it.
 #[derive(Clone, Debug)]
 pub struct Claim {
@@ -111,8 +102,8 @@ pub struct Claim {
     pub neglected: Option<(u32, Vec<Name>)>,
     /// Of an approximation, the leading term of left − right.
     pub residual: Option<Expression>,
-    /// Of a refutation, what the author says that left − right is.
-    pub difference: Option<Difference>,
+    /// Of a refutation, what left − right is, if the author says it and it is so.
+    pub difference: Option<Expression>,
     /// Of a refutation, where the sides differ.
     pub witness: Option<Witness>,
     /// Why an assertion is ill-formed, undecided or skipped.
@@ -156,18 +147,29 @@ impl Claim {
 
     /// Whether the verdict is the one that the author expects.
     pub fn as_expected(&self) -> bool {
-        let difference = self.difference.as_ref();
-        self.verdict.meets(self.expectation) && difference.is_none_or(|own| own.is_it)
+        self.verdict.meets(self.expectation)
     }
 
-    /// Takes over what became of the claim that left − right is what the author says.
+    /// Takes over what became of the claim that left − right is what the author says; a refutation stands on it, too.
     pub(crate) fn differ_by(&mut self, claim: &Claim) {
-        let is_it = claim.verdict.meets(Expectation::Holds);
-        let stated = claim.statement.right.clone();
-        if !is_it {
-            let written = Notation::Unicode.expression(&stated);
-            self.reason = Some(format!("left − right is not found to be {written}"));
+        if claim.verdict.meets(Expectation::Holds) {
+            self.difference = Some(claim.statement.right.clone());
+            self.conditions.extend(claim.conditions.iter().cloned());
+            return;
         }
-        self.difference = Some(Difference { stated, is_it });
+        if self.verdict == Verdict::Refuted {
+            let stated = Notation::Unicode.expression(&claim.statement.right);
+            let found = claim.verdict.text();
+            let why = claim
+                .reason
+                .as_ref()
+                .map_or(String::new(), |own| format!(", {own}"));
+            self.verdict = Verdict::Undecided;
+            self.witness = None;
+            self.reason = Some(format!(
+                "the sides differ, but that left − right is {stated} is {found}{why}"
+            ));
+        }
+        self.fault |= claim.fault;
     }
 }

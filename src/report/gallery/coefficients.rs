@@ -78,12 +78,16 @@ fn curve(comparison: &Comparison, (name, stroke, value): Named) -> Curve {
     }
 }
 
-/// The rows of the table at the angles of the case.
+/// The rows of the table at the angles of the case; nothing where a twist reads the table at other angles.
 fn rows(comparison: &Comparison, table: &CoefficientTable) -> Option<Curve> {
+    if comparison.case.is_twisted() {
+        return None;
+    }
+    let rows = table.converted_rows();
     let angles = &comparison.case.angles;
     let is_seen = |row: &&Row| angles.from <= row.angle && row.angle <= angles.to;
     let of = |value: fn(&Row) -> f64| {
-        let rows = table.rows().iter().filter(is_seen);
+        let rows = rows.iter().filter(is_seen);
         rows.map(|row| (row.angle, value(row))).collect::<Vec<_>>()
     };
     let pieces = [of(|row| row.drag), of(|row| row.lift), of(|row| row.moment)];

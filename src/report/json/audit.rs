@@ -232,9 +232,7 @@ fn claim_object(claim: &Claim) -> ClaimObject<'_> {
             .map(|words| words.plain())
             .collect(),
         residual: claim.residual.as_ref().map(ascii),
-        difference: (claim.difference.as_ref())
-            .filter(|own| own.is_it)
-            .map(|own| ascii(&own.stated)),
+        difference: claim.difference.as_ref().map(ascii),
         witness: claim.witness.as_ref().map(witness_object),
         reason: claim.reason.as_deref(),
         fault: claim.fault,

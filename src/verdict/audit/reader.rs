@@ -169,8 +169,8 @@ impl<'a> Reader<'a> {
 
     /// Whether the statement that stands here belongs to what is read.
     fn is_read(&self) -> bool {
-        let here = || (self.here.path.clone(), self.here.line);
-        self.part.is_none_or(|part| part.contains(&here()))
+        let lines = self.part.and_then(|part| part.get(&self.here.path));
+        lines.is_none_or(|lines| lines.contains(&self.here.line))
     }
 
     fn step_to(&mut self, source: &SourceFile, line: usize) {

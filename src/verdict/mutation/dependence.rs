@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::language::intent::Intent;
-use crate::language::syntax::{Statement, StatementKind};
+use crate::language::syntax::{Name, Statement, StatementKind};
 use crate::verdict::audit::{Audit, Part};
 
 /// The statements of documents that import each other, and which of them each builds on.
@@ -27,22 +27,18 @@ impl Dependence {
     /// Of audited documents, with what each says.
     pub(super) fn new(audits: &[Audit], documents: &[Vec<Statement>]) -> Self {
         let mut statements = Vec::new();
-        let mut declared: Vec<BTreeMap<String, usize>> = Vec::new();
+        let mut declared: Vec<Declared> = Vec::new();
         for (document, (audit, own)) in audits.iter().zip(documents).enumerate() {
-            let mut names = imported(audit, &audits[..document], &declared);
+            let mut names = Declared::imported(audit, &audits[..document], &declared);
             for statement in own {
-                let intent = Intent::of(statement);
-                let declares = intent.declares.iter().chain(&intent.compiled);
-                names.extend(declares.map(|name| (name.ascii.clone(), statements.len())));
+                names.declare(&Intent::of(statement), statements.len());
                 statements.push(Dependent {
                     document,
                     path: audit.path.clone(),
                     line: audit.line_of(statement),
                     is_claim: is_claim(&statement.kind),
                     is_import: matches!(statement.kind, StatementKind::Import { .. }),
-                    needs: mentioned(statement)
-                        .filter_map(|name| names.get(&name).copied())
-                        .collect(),
+                    needs: names.needed(statement),
                 });
             }
             declared.push(names);
@@ -130,36 +126,61 @@ impl Dependence {
     /// A statement without a claim, and one that was added on another line of its document.
     pub(super) fn alone(&self, statement: usize, added: usize) -> Part {
         let mut part = self.part([&statement]);
-        part.insert((self.statements[statement].path.clone(), added));
+        let lines = part
+            .entry(self.statements[statement].path.clone())
+            .or_default();
+        let moved = |line: usize| if line < added { line } else { line + 1 };
+        *lines = lines.iter().copied().map(moved).chain([added]).collect();
         part
     }
 
     /// Statements with all that they need, and the imports.
     fn part<'a>(&self, statements: impl IntoIterator<Item = &'a usize>) -> Part {
         let needed = self.needed(statements.into_iter().copied());
-        let all = self.statements.iter().enumerate();
-        all.filter(|(place, own)| own.is_import || needed.contains(place))
-            .map(|(_, own)| (own.path.clone(), own.line))
-            .collect()
+        let mut part = Part::new();
+        for (place, own) in self.statements.iter().enumerate() {
+            let lines = part.entry(own.path.clone()).or_default();
+            if own.is_import || needed.contains(&place) {
+                lines.insert(own.line);
+            }
+        }
+        part
     }
 }
 
-/// The names that a document takes from others.
-fn imported(
-    audit: &Audit,
-    earlier: &[Audit],
-    declared: &[BTreeMap<String, usize>],
-) -> BTreeMap<String, usize> {
-    let known = earlier.iter().zip(declared);
-    let imports = known.filter(|(own, _)| audit.imports(&own.path));
-    imports.flat_map(|(_, names)| names.clone()).collect()
+/// Which statement gives a name its meaning; evaluators and systems have names of their own.
+#[derive(Clone, Default)]
+struct Declared {
+    names: BTreeMap<String, usize>,
+    compiled: BTreeMap<String, usize>,
 }
 
-/// The names on which a statement builds, also those of evaluators and systems.
-fn mentioned(statement: &Statement) -> impl Iterator<Item = String> {
-    let mentions = statement.mentions().into_iter().map(|own| own.name);
-    let bases = statement.compiled_bases().into_iter();
-    mentions.chain(bases).map(|name| name.ascii)
+impl Declared {
+    /// What a document takes from others.
+    fn imported(audit: &Audit, earlier: &[Audit], declared: &[Declared]) -> Self {
+        let mut all = Declared::default();
+        let known = earlier.iter().zip(declared);
+        for (_, own) in known.filter(|(own, _)| audit.imports(&own.path)) {
+            all.names.extend(own.names.clone());
+            all.compiled.extend(own.compiled.clone());
+        }
+        all
+    }
+
+    fn declare(&mut self, intent: &Intent, place: usize) {
+        let at = |name: &Name| (name.ascii.clone(), place);
+        self.names.extend(intent.declares.iter().map(at));
+        self.compiled.extend(intent.compiled.iter().map(at));
+    }
+
+    /// On what a statement builds.
+    fn needed(&self, statement: &Statement) -> BTreeSet<usize> {
+        let mentions = statement.mentions().into_iter();
+        let names = mentions.filter_map(|own| self.names.get(&own.name.ascii));
+        let bases = statement.compiled_bases().into_iter();
+        let compiled = bases.filter_map(|own| self.compiled.get(&own.ascii));
+        names.chain(compiled).copied().collect()
+    }
 }
 
 fn is_claim(kind: &StatementKind) -> bool {

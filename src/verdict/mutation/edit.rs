@@ -105,9 +105,10 @@ fn replacements(
         TokenKind::Greater => by("<"),
         TokenKind::LessOrEqual => by(">="),
         TokenKind::GreaterOrEqual => by("<="),
-        TokenKind::Number => by(&next_number(own)),
+        TokenKind::Number => next_number(own).map_or(Vec::new(), |next| by(&next)),
         TokenKind::Superscript => by(&next_power(own)),
-        TokenKind::Primes => [by(""), by("″")].concat(),
+        TokenKind::Primes if own.chars().count() == 1 && own != "″" => [by(""), by("″")].concat(),
+        TokenKind::Primes => by("′"),
         // What stands before an equality sign is named, and not used.
         TokenKind::Name if behind == Some(TokenKind::Equals) => Vec::new(),
         TokenKind::Name => {
@@ -122,13 +123,12 @@ fn replacements(
     }
 }
 
-/// A number that is larger by 1.
-fn next_number(text: &str) -> String {
-    let (whole, rest) = text
-        .split_once('.')
-        .map_or((text, None), |(whole, rest)| (whole, Some(rest)));
-    let next = whole.parse::<u64>().map_or(1, |own| own.saturating_add(1));
-    rest.map_or(next.to_string(), |rest| format!("{next}.{rest}"))
+/// A number that is larger by 1; nothing for one of very many digits.
+fn next_number(text: &str) -> Option<String> {
+    let (whole, rest) = text.split_once('.').unwrap_or((text, ""));
+    let next = whole.parse::<u64>().ok()?.checked_add(1)?;
+    let point = if rest.is_empty() { "" } else { "." };
+    Some(format!("{next}{point}{rest}"))
 }
 
 /// A power that is larger by 1, as far as its last digit.
