@@ -3,6 +3,7 @@
 mod audit;
 #[cfg(feature = "stability")]
 mod case;
+mod certify;
 mod colour;
 #[cfg(feature = "stability")]
 mod compare;
@@ -97,6 +98,7 @@ enum Command {
     New(new::Arguments),
     Audit(audit::Arguments),
     Match(match_coefficients::Arguments),
+    Certify(certify::Arguments),
     Show(show::Arguments),
     Generate(generate::Arguments),
     Evaluate(evaluate::Arguments),
@@ -139,6 +141,7 @@ pub fn run() -> ExitCode {
         Command::New(arguments) => new::run(&arguments),
         Command::Audit(arguments) => audit::run(&arguments),
         Command::Match(arguments) => match_coefficients::run(&arguments),
+        Command::Certify(arguments) => certify::run(&arguments),
         Command::Show(arguments) => show::run(&arguments),
         Command::Generate(arguments) => generate::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),

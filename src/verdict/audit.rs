@@ -184,6 +184,11 @@ impl Audit {
         entries.map(|entry| &entry.name)
     }
 
+    /// The spellings that it and its imports declare.
+    pub fn aliases(&self) -> &Aliases {
+        &self.aliases
+    }
+
     /// How the verdict on one of its claims was reached.
     pub fn explain(&self, claim: &Claim) -> Explanation {
         self.elaborator.explain(claim)
