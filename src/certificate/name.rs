@@ -13,6 +13,10 @@ const RESERVED: &str = "Axiom CoFixpoint Definition End Fixpoint Goal Hypothesis
     inverse_ invalid jacobian minus_ negative non_negative non_zero not_above null_ over_ parameter part plus_ positive \
     power_ power_minus put puts row_ real_parts refutes same_shape scalar settled solve_ sqrt_ times_ trace_ transpose_ truncate_ whole";
 
+fn is_reserved(name: &str) -> bool {
+    RESERVED.split_whitespace().any(|word| word == name)
+}
+
 /// Which names of Coq stand for which names of the document.
 #[derive(Clone, Debug)]
 pub struct Names {
@@ -51,6 +55,12 @@ impl Names {
         self.of.get(ascii).map(String::as_str)
     }
 
+    /// Whether a name of Coq stands for another name of the document.
+    fn means_another(&self, name: &str, ascii: &str) -> bool {
+        let mut all = self.of.iter();
+        all.any(|(own, known)| known == name && own != ascii)
+    }
+
     /// The same names, and local ones for the arguments of a definition.
     pub fn with_arguments<'a>(
         &self,
@@ -58,12 +68,10 @@ impl Names {
     ) -> (Self, Vec<String>) {
         let mut names = self.clone();
         let locals = arguments.map(|argument| {
-            let reserved = RESERVED.split_whitespace().any(|word| word == argument);
-            let local = if reserved {
-                format!("{argument}_")
-            } else {
-                argument.to_owned()
-            };
+            let mut local = argument.to_owned();
+            while is_reserved(&local) || names.means_another(&local, argument) {
+                local.push('_');
+            }
             names.of.insert(argument.to_owned(), local.clone());
             local
         });
@@ -80,10 +88,21 @@ mod tests {
     fn words_of_coq_are_renamed_visibly() {
         let mut names = Names::default();
         assert_eq!(names.declare("omega_n"), "omega_n");
-        assert_eq!(names.declare("at"), "at_");
+        assert_eq!(names.declare("at"), "at__");
         assert_eq!(names.declare("forall"), "forall_");
         assert_eq!(names.declare("forall_"), "forall__");
-        assert_eq!(names.get("at"), Some("at_"));
+        assert_eq!(names.get("at"), Some("at__"));
         assert_eq!(names.get("unknown"), None);
+    }
+
+    /// An argument hides the name that it has, and no other.
+    #[test]
+    fn an_argument_hides_no_other_name() {
+        let mut names = Names::default();
+        names.declare("forall");
+        names.declare("x");
+        let (inner, locals) = names.with_arguments(["x", "forall_", "in"].into_iter());
+        assert_eq!(locals, ["x", "forall__", "in_"]);
+        assert_eq!(inner.get("forall"), Some("forall_"));
     }
 }
