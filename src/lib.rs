@@ -35,6 +35,7 @@
 //! | [`derivation`] | the first route: expressions become elements of the ring |
 //! | [`points`] | the second route: the same expressions at assignments |
 //! | [`verdict`] | where the routes meet: verdicts and audits |
+//! | [`certificate`] | claims as theorems that Coq checks |
 //! | [`compile`] | what is derived becomes programs, and their text is proven |
 //! | `stability` | systems and sections in numbers: modes with bounds, verdicts, critical values |
 //! | [`report`] | what was found, for people and programs |
@@ -44,6 +45,7 @@
 #![deny(missing_docs)]
 
 pub mod algebra;
+pub mod certificate;
 #[cfg(feature = "command")]
 pub mod cli;
 pub mod compile;

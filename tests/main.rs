@@ -2,6 +2,7 @@
 
 mod adversary;
 mod algebra;
+mod certificate;
 mod command;
 mod compile;
 mod derivation;

@@ -3,6 +3,7 @@
 mod audit;
 #[cfg(feature = "stability")]
 mod case;
+mod certify;
 mod colour;
 #[cfg(feature = "stability")]
 mod compare;
@@ -101,6 +102,7 @@ enum Command {
     New(new::Arguments),
     Audit(audit::Arguments),
     Match(match_coefficients::Arguments),
+    Certify(certify::Arguments),
     Show(show::Arguments),
     #[cfg(feature = "stability")]
     Mutate(mutate::Arguments),
@@ -145,6 +147,7 @@ pub fn run() -> ExitCode {
         Command::New(arguments) => new::run(&arguments),
         Command::Audit(arguments) => audit::run(&arguments),
         Command::Match(arguments) => match_coefficients::run(&arguments),
+        Command::Certify(arguments) => certify::run(&arguments),
         Command::Show(arguments) => show::run(&arguments),
         #[cfg(feature = "stability")]
         Command::Mutate(arguments) => mutate::run(&arguments),

@@ -198,15 +198,15 @@ impl Audit {
         self.source().line_and_column(&statement.span).0
     }
 
-    /// The spellings that it and its imports declare.
-    pub(super) fn aliases(&self) -> &Aliases {
-        &self.aliases
-    }
-
     /// The names that the document and its imports declare.
     pub fn names(&self) -> impl Iterator<Item = &Name> {
         let entries = self.elaborator.scope.entries();
         entries.map(|entry| &entry.name)
+    }
+
+    /// The spellings that it and its imports declare.
+    pub fn aliases(&self) -> &Aliases {
+        &self.aliases
     }
 
     /// How the verdict on one of its claims was reached.

@@ -16,9 +16,10 @@ const WITHOUT_COMMANDS: [&str; 2] = ["docs/adversary.md", "docs/meaning.md"];
 const BESIDE_DOCUMENTS: [&str; 2] = ["derivations/README.md", "derivations/cases/README.md"];
 
 /// What some page shows with its output.
-const COMMANDS: [&str; 15] = [
+const COMMANDS: [&str; 16] = [
     "audit",
     "match",
+    "certify",
     "generate",
     "evaluate",
     "stability",
@@ -38,7 +39,7 @@ const COMMANDS: [&str; 15] = [
 const LANGUAGES: [&str; 6] = ["c", "console", "markdown", "sextic", "sh", "toml"];
 
 /// Programs that a machine may lack. What needs them is skipped there.
-const OTHER_PROGRAMS: [&str; 1] = ["gcc"];
+const OTHER_PROGRAMS: [&str; 2] = ["coqc", "gcc"];
 
 /// The command line that runs all tests, in README as in `.ci/run`.
 const TESTS: &str = "cargo test --workspace --features parquet";

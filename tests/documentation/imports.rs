@@ -12,14 +12,18 @@ use super::sources::rust_files;
 type Module = Vec<String>;
 
 /// The rooms, each above those that it may import; `derivation` and `points` do not know each other, and neither do
-/// `compile` and `stability`, but for how a system is named.
-const ROOMS: [(&str, &[&str]); 9] = [
+/// `compile`, `certificate` and `stability`, but for how a system is named.
+const ROOMS: [(&str, &[&str]); 10] = [
     ("algebra", &[]),
     ("language", &["algebra"]),
     ("derivation", &["algebra", "language"]),
     ("points", &["algebra", "language"]),
     ("verdict", &["algebra", "language", "derivation", "points"]),
     ("compile", &["algebra", "language", "derivation", "verdict"]),
+    (
+        "certificate",
+        &["algebra", "language", "derivation", "verdict"],
+    ),
     ("stability", &["algebra"]),
     (
         "report",
@@ -29,6 +33,7 @@ const ROOMS: [(&str, &[&str]); 9] = [
             "derivation",
             "verdict",
             "compile",
+            "certificate",
             "stability",
         ],
     ),
@@ -40,6 +45,7 @@ const ROOMS: [(&str, &[&str]); 9] = [
             "derivation",
             "verdict",
             "compile",
+            "certificate",
             "stability",
             "report",
             "documents",

@@ -7,6 +7,7 @@ mod audit;
 #[cfg(feature = "stability")]
 mod closeness;
 mod evaluation;
+mod ledger;
 mod matching;
 #[cfg(feature = "stability")]
 mod modes;
@@ -33,6 +34,7 @@ pub use audit::{audits, explanation};
 #[cfg(feature = "stability")]
 pub use closeness::closeness;
 pub use evaluation::{evaluation, evaluators};
+pub use ledger::ledger;
 pub use matching::matchings;
 #[cfg(feature = "stability")]
 pub use modes::modes;

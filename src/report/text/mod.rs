@@ -11,6 +11,7 @@ mod evaluation;
 mod explanation;
 mod expression;
 mod generation;
+mod ledger;
 mod matching;
 #[cfg(feature = "stability")]
 mod modes;
@@ -36,6 +37,7 @@ pub use closeness::closeness;
 pub use evaluation::{evaluation, evaluators};
 pub use explanation::explanation;
 pub use generation::{difference, generated};
+pub use ledger::ledger;
 pub use matching::matching;
 #[cfg(feature = "stability")]
 pub use modes::modes;
