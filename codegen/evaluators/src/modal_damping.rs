@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/uniform.md`
 //! - SHA-256 of the document:
-//!   `3ba5dc1adc67ec1905a40c9ca2784d994c10e6a4966cb5fe63485a1b0508ea57`
+//!   `8999230cd0ea8a58a4348a601ebec697c0d643fe8df09410b47e33f7772768e5`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -372,7 +372,7 @@ pub fn modal_damping_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/uniform.md`
 /// - SHA-256 of the document:
-///   `3ba5dc1adc67ec1905a40c9ca2784d994c10e6a4966cb5fe63485a1b0508ea57`
+///   `8999230cd0ea8a58a4348a601ebec697c0d643fe8df09410b47e33f7772768e5`
 #[must_use]
 pub fn modal_damping(inputs: &ModalDampingInputs<f64>) -> ModalDampingOutputs<f64> {
     modal_damping_body(inputs)
