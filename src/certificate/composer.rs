@@ -2,6 +2,7 @@
 
 use crate::derivation::scope::Meaning;
 use crate::language::built_in::{BuiltIn, Declared};
+use crate::language::mention::Mention;
 use crate::language::notation::Notation;
 use crate::language::syntax::{
     Comparison, Expression, Name, Node, Place, Relation, Sign, Spanned, Statement, StatementKind,
@@ -62,6 +63,22 @@ impl<'a> Composer<'a> {
 
     pub(super) fn control(&mut self, theorem: Theorem) {
         self.parts.push(Part::Control(theorem));
+    }
+
+    /// Defines the outputs of evaluators and the matrices of systems that a statement names.
+    pub(super) fn outputs(&mut self, statement: &Statement) {
+        let audit = self.audit;
+        for Mention { name, .. } in statement.mentions() {
+            let is_known = self.writer.names.get(&name.ascii).is_some()
+                || self.writer.withheld.contains_key(&name.ascii);
+            if is_known || name.of_output().is_none() {
+                continue;
+            }
+            let entry = audit.elaborator.scope.get(&name);
+            if let Some(Meaning::Definition { expression, .. }) = entry.map(|own| &own.meaning) {
+                self.define(&name, &[], expression);
+            }
+        }
     }
 
     /// Says what a statement declares, assumes or defines.

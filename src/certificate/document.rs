@@ -39,6 +39,7 @@ impl Certificate {
             composer.text(format!("\n(** ** {} *)\n", comment(&source.path)));
             if let Ok(document) = read_document(source, audit.aliases()) {
                 for statement in &document.statements {
+                    composer.outputs(statement);
                     let label = match &statement.kind {
                         StatementKind::Assertion { label, .. }
                         | StatementKind::Eigenpair { label, .. } => label,

@@ -45,7 +45,8 @@ impl Names {
 
     /// Gives a name of the document, by its ASCII spelling, a name of Coq.
     pub fn declare(&mut self, ascii: &str) -> String {
-        let name = self.fresh(ascii);
+        // An output of an evaluator has a dot in its name, which Coq keeps for its modules.
+        let name = self.fresh(&ascii.replace('.', "__"));
         self.of.insert(ascii.to_owned(), name.clone());
         name
     }
