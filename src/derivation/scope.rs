@@ -229,11 +229,17 @@ impl Scope {
             let look = skeleton(&name.unicode);
             let mut entries = self.entries.values();
             let alike = entries.find(|entry| skeleton(&entry.name.unicode) == look);
+            let output = name.of_output();
             let help = match (alike, nearest(&name.unicode, candidates)) {
                 (Some(Entry { name: alike, .. }), _) => format!(
                     "`{alike}` looks the same: in ASCII it is `{}`, and this one is `{}`",
                     alike.ascii, name.ascii
                 ),
+                _ if output.is_some() => {
+                    "behind the dot stands an output that the evaluator has, or, of a system, `mass`, `damping`, \
+                     `stiffness` or a part that has a name of its own"
+                        .into()
+                }
                 _ if name.ascii == "pi" => format!(
                     "numbers are exact, and this one is not known: declare a parameter for it, `parameter {name} : 1 > 0`"
                 ),

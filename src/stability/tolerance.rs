@@ -95,7 +95,9 @@ pub fn tolerance(section: &Section, errors: &Coefficients) -> Result<Tolerance, 
     if search.is_open() {
         search.look_at_ends(family.as_ref())?;
     }
-    while let Some(part) = search.rest.pop().filter(|_| search.is_open()) {
+    // Asked before a part is taken: the last one leaves nothing behind it, and is looked at all the same.
+    while search.is_open() {
+        let Some(part) = search.rest.pop() else { break };
         search.look(part)?;
     }
     let certainty = search.certainty();
