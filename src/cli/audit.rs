@@ -11,7 +11,7 @@ use crate::verdict::audit::Audit;
 use crate::verdict::claim::Claim;
 
 use super::Outcome;
-use super::output::{Format, complain, finish, stream, unwritten, width, wrong};
+use super::output::{Format, finish, stream, unwritten, width, wrong};
 use super::source::{Audited, audit_again, audit_all};
 
 /// How often documents that are watched are looked at.
@@ -85,9 +85,6 @@ fn watch(arguments: &Arguments) -> Outcome {
     let mut earlier = Vec::new();
     let mut asked: BTreeSet<String> = paths.iter().cloned().collect();
     loop {
-        if !earlier.is_empty() && matches!(arguments.format, Format::Text) {
-            complain("\nA document changed: judged again\n\n");
-        }
         let before = stamps(&asked);
         let audited = audit_again(paths, earlier);
         let (outcome, is_read) = write(&audited, arguments);

@@ -123,6 +123,8 @@ impl CaseView {
 
 fn figure((name, figure): &Named) -> Result<FigureView, String> {
     let caption = match name.as_str() {
+        "coefficients" => "The coefficients as they are read between the rows of the table",
+        "slopes" => "Their derivatives by the angle of attack, on which galloping hangs",
         "damping_of_modes" => {
             "The damping of every mode, by the state matrix; modes are numbered by their frequency at the first angle and followed by their shapes"
         }

@@ -18,7 +18,7 @@ struct Dependent {
     path: String,
     /// The line on which it begins.
     line: usize,
-    is_claim: bool,
+    is_judged: bool,
     is_import: bool,
     needs: BTreeSet<usize>,
 }
@@ -36,7 +36,7 @@ impl Dependence {
                     document,
                     path: audit.path.clone(),
                     line: audit.line_of(statement),
-                    is_claim: is_claim(&statement.kind),
+                    is_judged: is_judged(&statement.kind),
                     is_import: matches!(statement.kind, StatementKind::Import { .. }),
                     needs: names.needed(statement),
                 });
@@ -83,7 +83,7 @@ impl Dependence {
     fn claims_on(&self, statement: usize) -> Vec<usize> {
         let own = &self.statements[statement];
         let all = 0..self.statements.len();
-        let claims = all.filter(|place| self.statements[*place].is_claim);
+        let claims = all.filter(|place| self.statements[*place].is_judged);
         let mut claims: Vec<usize> = claims
             .filter(|place| self.needed([*place]).contains(&statement))
             .collect();
@@ -183,9 +183,14 @@ impl Declared {
     }
 }
 
-fn is_claim(kind: &StatementKind) -> bool {
+/// Whether a statement has a verdict, or is refused where what it names is not as it must be.
+fn is_judged(kind: &StatementKind) -> bool {
     matches!(
         kind,
-        StatementKind::Assertion { .. } | StatementKind::Eigenpair { .. }
+        StatementKind::Assertion { .. }
+            | StatementKind::Eigenpair { .. }
+            | StatementKind::Match(_)
+            | StatementKind::System(_)
+            | StatementKind::Evaluator { .. }
     )
 }
