@@ -122,7 +122,7 @@ fn wrong_cases_end_with_status_2_and_leave_no_file() {
 #[test]
 fn a_name_of_another_format_is_refused() {
     let folder = folder("other_plot");
-    let (case, plot) = (folder.join("tuned.toml"), folder.join("plot.PNG"));
+    let (case, plot) = (folder.join("tuned.toml"), folder.join("plot.gif"));
     for command in ["stability", "speeds", "validity"] {
         let paths = [&case, &plot].map(|path| path.to_str().expect("a path"));
         let (status, out, err) = run(&[command, paths[0], "--plot", paths[1]]);
