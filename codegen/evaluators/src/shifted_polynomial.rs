@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/exact-modes.md`
 //! - SHA-256 of the document:
-//!   `ff593ee3e4b2c8c91c88485344720e56d115927ce355ebbc920bda7dd92cb65a`
+//!   `498677af61ef2ff972eaf6ee36580db3a5929554e676aa8f4f38a377407e4a33`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -333,7 +333,7 @@ pub fn shifted_polynomial_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/exact-modes.md`
 /// - SHA-256 of the document:
-///   `ff593ee3e4b2c8c91c88485344720e56d115927ce355ebbc920bda7dd92cb65a`
+///   `498677af61ef2ff972eaf6ee36580db3a5929554e676aa8f4f38a377407e4a33`
 #[must_use]
 pub fn shifted_polynomial(inputs: &ShiftedPolynomialInputs<f64>) -> ShiftedPolynomialOutputs<f64> {
     shifted_polynomial_body(inputs)

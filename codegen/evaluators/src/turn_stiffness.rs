@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/extensions.md`
 //! - SHA-256 of the document:
-//!   `6df29d434724e99cf849b49419dd1fad3a66fdf7e24ffce5ae1a65f1e4e5c8c6`
+//!   `bcfaf4c9e7e5807ffcd9bd5b1159986418054d34e842dce42581e8bf37de4ac3`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -209,7 +209,7 @@ pub fn turn_stiffness_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/extensions.md`
 /// - SHA-256 of the document:
-///   `6df29d434724e99cf849b49419dd1fad3a66fdf7e24ffce5ae1a65f1e4e5c8c6`
+///   `bcfaf4c9e7e5807ffcd9bd5b1159986418054d34e842dce42581e8bf37de4ac3`
 #[must_use]
 pub fn turn_stiffness(inputs: &TurnStiffnessInputs<f64>) -> TurnStiffnessOutputs<f64> {
     turn_stiffness_body(inputs)

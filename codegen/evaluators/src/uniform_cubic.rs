@@ -10,7 +10,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/uniform.md`
 //! - SHA-256 of the document:
-//!   `8999230cd0ea8a58a4348a601ebec697c0d643fe8df09410b47e33f7772768e5`
+//!   `53e4100407f75deecd4594ecd8e8fafe0b6189d9bf63958e45ad9332d0db4e24`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -259,7 +259,7 @@ pub fn uniform_cubic_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/uniform.md`
 /// - SHA-256 of the document:
-///   `8999230cd0ea8a58a4348a601ebec697c0d643fe8df09410b47e33f7772768e5`
+///   `53e4100407f75deecd4594ecd8e8fafe0b6189d9bf63958e45ad9332d0db4e24`
 #[must_use]
 pub fn uniform_cubic(inputs: &UniformCubicInputs<f64>) -> UniformCubicOutputs<f64> {
     uniform_cubic_body(inputs)
