@@ -21,6 +21,7 @@ mod shown;
 mod speeds;
 #[cfg(feature = "stability")]
 mod stability;
+#[cfg(feature = "stability")]
 mod twist;
 #[cfg(feature = "stability")]
 mod validity;
