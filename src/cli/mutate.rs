@@ -1,7 +1,6 @@
 //! `sextic mutate`: edits that no verdict notices.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use clap::Args;
 use rayon::prelude::*;
@@ -86,12 +85,13 @@ pub fn run(arguments: &Arguments) -> Outcome {
 
 /// All edits of a document.
 fn mutated(mutation: &Mutation<'_>, place: usize, audit: &Audit) -> Mutated {
-    let edits = mutation.edits(place);
-    let fates = edits.par_iter().map(|edit| mutation.fate(place, edit));
-    let fates: Vec<Fate> = fates.collect();
+    let subjects = mutation.subjects(place);
+    let fates = subjects.par_iter().map(|own| mutation.fates(own));
+    let fates: Vec<Fate> = fates.collect::<Vec<_>>().concat();
     let count = |wanted: Fate| fates.iter().filter(|own| **own == wanted).count();
     let [noticed, equal] = [Fate::Noticed, Fate::Equal].map(count);
-    let survivors = edits.into_iter().zip(&fates);
+    let edits = subjects.into_iter().flat_map(|own| own.edits);
+    let survivors = edits.zip(&fates);
     let survivors = survivors.filter(|(_, fate)| **fate == Fate::Survives);
     let survivors: Vec<Edit> = survivors.map(|(edit, _)| edit).collect();
     Mutated {
@@ -121,13 +121,7 @@ impl Held {
 
 impl Library for Held {
     fn read(&self, path: &str, from: &str) -> Result<SourceFile, String> {
-        let path = resolve(path, from);
-        let found = self.0.get(&path).or_else(|| self.0.get(&native(&path)));
+        let found = self.0.get(&resolve(path, from));
         found.cloned().ok_or_else(|| "it was not read".to_string())
     }
-}
-
-/// A path as this system writes it.
-fn native(path: &str) -> String {
-    Path::new(path).display().to_string()
 }

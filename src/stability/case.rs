@@ -218,15 +218,15 @@ impl Case {
         self.mean_twist && free.contains(&Coordinate::Theta)
     }
 
-    /// Refuses to give C_M one value, beside the curve that the mean twist follows.
+    /// Refuses to give C_M or its slope one value, beside the curve that the mean twist follows.
     pub(super) fn check_moment(&self, variable: Variable) -> Result<(), InputError> {
         if !(self.is_twisted() && variable.is_moment()) {
             return Ok(());
         }
         Err(InputError::new(
             Place::file(&self.file),
-            "C_M is given, and the mean twist follows that of the table",
-            "leave `mean_twist` out of the case, or C_M to the table",
+            "C_M or its slope is given, and the mean twist follows the curve of the table",
+            "leave `mean_twist` out of the case, or both to the table",
         ))
     }
 

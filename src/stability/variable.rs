@@ -90,9 +90,10 @@ impl Variable {
         self.quantities.is_empty()
     }
 
-    /// Whether it sets C_M.
+    /// Whether it sets C_M or its slope.
     pub(super) fn is_moment(self) -> bool {
-        self.quantities.contains(&Quantity::C_M)
+        let moment = [Quantity::C_M, Quantity::dC_M];
+        moment.iter().any(|own| self.quantities.contains(own))
     }
 
     /// Whether it sets what is otherwise read from the table.

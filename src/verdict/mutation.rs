@@ -28,6 +28,15 @@ pub enum Fate {
     Survives,
 }
 
+/// A statement that is edited.
+pub struct Subject {
+    document: usize,
+    /// Its place among the statements of all documents.
+    place: usize,
+    /// The edits of it.
+    pub edits: Vec<Edit>,
+}
+
 /// Documents whose every verdict is as expected, and which are edited.
 pub struct Mutation<'a> {
     /// Audits of the documents, each behind those that it imports.
@@ -51,35 +60,53 @@ impl<'a> Mutation<'a> {
         }
     }
 
-    /// The edits of one token in definitions, substitutions, assumptions, systems and evaluators of a document, which
-    /// stands at a place among all.
-    pub fn edits(&self, document: usize) -> Vec<Edit> {
-        let audit = &self.audits[document];
-        let statements = self.documents[document].iter();
-        let statements = statements.filter(|own| is_edited(&own.kind));
-        let of = |own: &Statement| {
-            let line = audit.line_of(own);
-            edit::edits(&audit.source().text, own, line, &audit.elaborator.scope)
-        };
-        statements.flat_map(of).collect()
+    /// The statements of a document that are edited, which stands at a place among all: definitions, substitutions,
+    /// assumptions, systems and evaluators.
+    pub fn subjects(&self, document: usize) -> Vec<Subject> {
+        let before: usize = self.documents[..document].iter().map(Vec::len).sum();
+        let statements = self.documents[document].iter().enumerate();
+        let edited = statements.filter(|(_, own)| is_edited(&own.kind));
+        edited
+            .map(|(place, own)| Subject {
+                document,
+                place: before + place,
+                edits: self.edits(document, own),
+            })
+            .collect()
     }
 
-    /// What becomes of an edit of a document: claims that do not build on it are not judged, and the nearest ones come
-    /// first.
-    pub fn fate(&self, document: usize, edit: &Edit) -> Fate {
-        let Some(statement) = self.dependence.on(document, edit.statement_line) else {
-            return Fate::Noticed;
-        };
-        let source = self.audits[document].source();
-        let texts = self.texts(document, &edit.applied(&source.text));
-        let parts = self.dependence.parts(statement, FIRST);
-        if parts
-            .iter()
-            .any(|(place, part)| self.is_noticed(&texts, *place, part))
-        {
+    fn edits(&self, document: usize, statement: &Statement) -> Vec<Edit> {
+        let audit = &self.audits[document];
+        let (text, scope) = (&audit.source().text, &audit.elaborator.scope);
+        edit::edits(text, statement, audit.line_of(statement), scope)
+    }
+
+    /// What becomes of each edit of a statement: what does not build on it is not judged again, and the nearest claims
+    /// come first.
+    pub fn fates(&self, subject: &Subject) -> Vec<Fate> {
+        let parts = self.dependence.parts(subject.place, FIRST);
+        let parts: Vec<_> = parts.into_iter().map(|own| self.sound(own)).collect();
+        let edits = subject.edits.iter();
+        edits.map(|edit| self.fate(subject, &parts, edit)).collect()
+    }
+
+    /// A part that is as expected before anything is edited, so that only an edit is noticed: else the whole document.
+    fn sound(&self, (place, part): (usize, Part)) -> (usize, Part) {
+        let audit = audit_part(self.audits[place].source(), self.library, &part);
+        match audit.is_some_and(|audit| audit.as_expected()) {
+            true => (place, part),
+            false => (place, Part::new()),
+        }
+    }
+
+    fn fate(&self, subject: &Subject, parts: &[(usize, Part)], edit: &Edit) -> Fate {
+        let source = self.audits[subject.document].source();
+        let texts = self.texts(subject.document, &edit.applied(&source.text));
+        let is_noticed = |(place, part): &(usize, Part)| self.is_noticed(&texts, *place, part);
+        if parts.iter().any(is_noticed) {
             return Fate::Noticed;
         }
-        match self.is_equal(document, statement, edit) {
+        match self.is_equal(subject, edit) {
             true => Fate::Equal,
             false => Fate::Survives,
         }
@@ -104,12 +131,12 @@ impl<'a> Mutation<'a> {
     }
 
     /// Whether a definition is equal to what it was.
-    fn is_equal(&self, document: usize, statement: usize, edit: &Edit) -> bool {
-        let Some((text, line)) = edit.compared(&self.audits[document].source().text) else {
+    fn is_equal(&self, subject: &Subject, edit: &Edit) -> bool {
+        let Some((text, line)) = edit.compared(&self.audits[subject.document].source().text) else {
             return false;
         };
-        let part = self.dependence.alone(statement, line);
-        let texts = self.texts(document, &text);
+        let part = self.dependence.alone(subject.place, line);
+        let texts = self.texts(subject.document, &text);
         audit_part(&texts.edited, &texts, &part).is_some_and(|audit| {
             let claim = audit.claims.first();
             audit.mistakes.is_empty() && claim.is_some_and(|own| own.verdict == Verdict::Holds)

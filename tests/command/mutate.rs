@@ -119,6 +119,7 @@ fn what_survives_in_the_documents_is_listed() {
         }
     }
     assert!(unlisted.is_empty(), "{}", unlisted.join("\n"));
+    assert!(listed.is_empty(), "listed, and noticed: {listed:?}");
 }
 
 #[test]

@@ -445,7 +445,7 @@ fn what_does_not_follow_the_twist_refuses_it() {
     assert!(
         set.expect_err("C_M")
             .to_string()
-            .contains("follows that of the table")
+            .contains("follows the curve of the table")
     );
     // Where theta is held there is none, and nothing is refused.
     let mut held = case.clone();

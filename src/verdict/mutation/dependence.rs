@@ -61,12 +61,6 @@ impl Dependence {
         }
     }
 
-    /// The statement that begins on a line of a document.
-    pub(super) fn on(&self, document: usize, line: usize) -> Option<usize> {
-        let mut all = self.statements.iter();
-        all.position(|own| (own.document, own.line) == (document, line))
-    }
-
     /// What these statements build on, and themselves.
     fn needed(&self, statements: impl IntoIterator<Item = usize>) -> BTreeSet<usize> {
         let mut found = BTreeSet::new();

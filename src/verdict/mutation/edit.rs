@@ -10,8 +10,6 @@ use crate::language::syntax::{EvaluatorBody, Expression, Name, Span, Statement, 
 pub struct Edit {
     /// The statement in which it is.
     statement: Statement,
-    /// The line on which the statement begins.
-    pub(super) statement_line: usize,
     /// The line on which it is, counted from 1.
     pub line: usize,
     /// What is replaced.
@@ -67,7 +65,6 @@ pub(super) fn edits(text: &str, statement: &Statement, line: usize, scope: &Scop
     let edited = places.flat_map(|place| replacements(text, &all, place, statement, scope));
     let edit = |(span, to): (Span, String)| Edit {
         statement: statement.clone(),
-        statement_line: line,
         line: line + text[statement.span.start..span.start].matches('\n').count(),
         from: text[span.clone()].to_string(),
         span,
