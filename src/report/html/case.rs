@@ -138,7 +138,7 @@ fn figure((name, figure): &Named) -> Result<FigureView, String> {
         "frequencies_against_offset" => {
             "Their frequencies: where they come close the modes exchange their shapes"
         }
-        _ => "",
+        _ => figure.title.as_str(),
     };
     Ok(FigureView {
         svg: figure.svg()?,
