@@ -223,12 +223,20 @@ fn any_expression(with_primes: bool) -> impl Strategy<Value = Expression> {
                     arguments,
                 }
             }),
-            proptest::collection::vec(list.clone(), 1..3).prop_map(Node::Matrix),
+            proptest::collection::vec(list.clone(), 1..3)
+                .prop_map(Node::Matrix)
+                .prop_filter("a row of rows is not read", |node| !is_row_of_rows(node)),
             (boxed.clone(), list).prop_map(|(base, indices)| Node::Index(base, indices)),
             (boxed, place).prop_map(|(inner, place)| Node::At(inner, place)),
         ]
         .prop_map(made)
     })
+}
+
+/// What other languages mean as rows of one matrix: `[[a, b], [c, d]]`.
+fn is_row_of_rows(node: &Node) -> bool {
+    let is_row = |own: &Expression| matches!(&own.node, Node::Matrix(rows) if rows.len() == 1);
+    matches!(node, Node::Matrix(rows) if rows.len() == 1 && rows[0].len() > 1 && rows[0].iter().all(is_row))
 }
 
 proptest! {
