@@ -1,5 +1,5 @@
 (** The words in which certificates are written: those of the block language. *)
-From Certificate Require Export Check Analysis Refute.
+From Certificate Require Export Check Analysis Refute Unit.
 Local Open Scope R_scope.
 
 (** ** Declarations *)
@@ -57,6 +57,7 @@ Notation d := jacobian. Notation dt := dt_. Notation truncate := truncate_. Nota
 Notation det := det_. Notation transpose := transpose_. Notation inverse := inverse_. Notation adjugate := adj_. Notation trace := trace_.
 Notation diagonal := diagonal_. Notation identity := identity_. Notation zero := null_. Notation row := row_. Notation column := column_.
 Notation submatrix := part. Notation solve := solve_.
+Arguments differ_in_unit us (x y)%doc. Arguments without_value x%doc.
 Arguments equal a (x y)%doc. Arguments below a (x y)%doc. Arguments not_above a (x y)%doc.
 Notation "h |= x == y" := (follows (fst h) (snd h) (fun a => equal a x%doc y%doc)) (at level 95, x at level 69, y at level 69).
 Notation "h |= x < y" := (follows (fst h) (snd h) (fun a => below a x%doc y%doc)) (at level 95, x at level 69, y at level 69).

@@ -1,6 +1,6 @@
 //! A claim as theorems, or why it is withheld.
 
-use crate::derivation::condition::Requirement;
+use crate::derivation::assertion::Misfit;
 use crate::derivation::matching::Matched;
 use crate::derivation::scope::SymbolKind;
 use crate::language::syntax::{
@@ -9,22 +9,13 @@ use crate::language::syntax::{
 use crate::verdict::claim::{Claim, Verdict};
 
 use super::composer::{Composer, words};
-use super::entry::{Entry, Kind};
+use super::entry::{Entry, Kind, Subject};
 use super::expression::Withheld;
 use super::point::settings;
-use super::theorem::{Theorem, comment};
+use super::theorem::{Rule, Theorem, comment};
 
-/// What a theorem says, and at which point, if it is about one.
-struct Stated {
-    text: String,
-    point: Option<(String, String)>,
-}
-
-impl Stated {
-    fn always(text: String) -> Self {
-        Stated { text, point: None }
-    }
-}
+/// What a theorem says, and how it is proved.
+type Stated = (String, Rule);
 
 /// The theorems of a claim.
 type Theorems = (Kind, Vec<Stated>);
@@ -50,43 +41,26 @@ pub(super) fn add(composer: &mut Composer<'_>, claim: &Claim, statement: &Statem
             Err(reason)
         }
         Ok((kind, statements)) => {
-            for (place, statement) in statements.into_iter().enumerate() {
-                let part = if place == 0 {
-                    String::new()
-                } else {
-                    format!("_{}", place + 1)
+            for (place, (statement, rule)) in statements.into_iter().enumerate() {
+                let part = match place {
+                    0 => String::new(),
+                    _ => format!("_{}", place + 1),
                 };
-                let name = composer.writer.names.fresh(&format!("claim_{id}{part}"));
-                let Stated {
-                    text: statement,
-                    point,
-                } = statement;
-                composer.theorem(
-                    number,
-                    Theorem {
-                        name,
-                        statement,
-                        point,
-                    },
-                );
+                let theorem = named(composer, format!("claim_{id}{part}"), statement, rule);
+                composer.theorem(number, theorem);
             }
             Ok(kind)
         }
     };
     if let Some(statement) = control(composer, claim) {
-        let name = composer.writer.names.fresh(&format!("control_{id}"));
-        let point = None;
-        composer.control(Theorem {
-            name,
-            statement,
-            point,
-        });
+        let control = named(composer, format!("control_{id}"), statement, Rule::Check);
+        composer.control(control);
     }
     composer.entries.push(Entry {
         id: claim.label.id.clone(),
         label: claim.label.written(),
         line: claim.line,
-        verdict: Some(claim.verdict),
+        subject: Subject::Claim(claim.verdict),
         certificate,
     });
 }
@@ -104,19 +78,9 @@ pub(super) fn add_matching(composer: &mut Composer<'_>, matched: &Matched, match
     let certificate = residuals.map(|statements| {
         let id = plain(&matched.label.id);
         for (power, statement) in statements {
-            let name = composer
-                .writer
-                .names
-                .fresh(&format!("matching_{id}_{power}"));
-            let point = None;
-            composer.theorem(
-                number,
-                Theorem {
-                    name,
-                    statement,
-                    point,
-                },
-            );
+            let name = format!("matching_{id}_{power}");
+            let theorem = named(composer, name, statement, Rule::Check);
+            composer.theorem(number, theorem);
         }
         Kind::Matching
     });
@@ -124,7 +88,7 @@ pub(super) fn add_matching(composer: &mut Composer<'_>, matched: &Matched, match
         id: matched.label.id.clone(),
         label: matched.label.written(),
         line: matched.line,
-        verdict: None,
+        subject: Subject::Matching,
         certificate,
     });
 }
@@ -187,6 +151,21 @@ fn residuals(
     Ok(statements)
 }
 
+/// A theorem under a name that nothing else has.
+pub(super) fn named(
+    composer: &mut Composer<'_>,
+    name: String,
+    statement: String,
+    rule: Rule,
+) -> Theorem {
+    let name = composer.writer.names.fresh(&name);
+    Theorem {
+        name,
+        statement,
+        rule,
+    }
+}
+
 fn plain(id: &str) -> String {
     let plain = |own: char| {
         if own.is_ascii_alphanumeric() {
@@ -207,14 +186,17 @@ fn theorems(
         Verdict::Holds | Verdict::HoldsWhere => holds(composer, claim, statement),
         Verdict::Approximate => approximate(composer, claim, statement),
         Verdict::Refuted => refuted(composer, claim),
-        Verdict::IllFormed => Err("units are outside of the kernel".into()),
+        Verdict::IllFormed => ill_formed(composer, claim),
         Verdict::Undecided | Verdict::Skipped => Err("it has no verdict".into()),
     }
 }
 
-/// What is refuted, or only approximate, as if it held.
+/// What is refuted, only approximate or ill-formed, as if it held.
 fn control(composer: &Composer<'_>, claim: &Claim) -> Option<String> {
-    let is_control = matches!(claim.verdict, Verdict::Refuted | Verdict::Approximate);
+    let is_control = matches!(
+        claim.verdict,
+        Verdict::Refuted | Verdict::Approximate | Verdict::IllFormed
+    );
     let given = given(composer, claim).ok().filter(|_| is_control)?;
     let (left, right) = (&claim.statement.left, &claim.statement.right);
     let side = |expression: &Expression| composer.writer.side(expression).ok();
@@ -227,14 +209,7 @@ fn control(composer: &Composer<'_>, claim: &Claim) -> Option<String> {
 }
 
 fn given(composer: &Composer<'_>, claim: &Claim) -> Result<String, Withheld> {
-    let conditions = claim.conditions.iter().map(|condition| {
-        let expression = composer.writer.argument(&condition.expression)?;
-        Ok(match condition.requirement {
-            Requirement::NonZero => format!("non_zero {expression}"),
-            Requirement::Positive => format!("positive {expression}"),
-        })
-    });
-    Ok(composer.given(&conditions.collect::<Result<Vec<_>, Withheld>>()?))
+    Ok(composer.given(&composer.conditions(&claim.conditions)?))
 }
 
 fn holds(
@@ -250,14 +225,14 @@ fn holds(
     if let StatementKind::Eigenpair { vector, .. } = &statement.kind {
         let vector = composer.writer.argument(vector)?;
         let second = format!("{given} |= transpose {vector}*{vector} > 0");
-        let both = [first, second].map(Stated::always);
+        let both = [first, second].map(|own| (own, Rule::Check));
         return Ok((Kind::Eigenpair, both.into()));
     }
     let kind = match claim.statement.comparison {
         Comparison::Equal => Kind::Equation,
         _ => Kind::Inequality,
     };
-    Ok((kind, vec![Stated::always(first)]))
+    Ok((kind, vec![(first, Rule::Check)]))
 }
 
 fn approximate(
@@ -317,12 +292,9 @@ fn approximate(
         Ok(format!("Is {name} 2"))
     });
     let measures = measures.collect::<Result<Vec<_>, Withheld>>()?;
-    let point = Some(composer.point(&measures, true));
-    let beyond = Stated {
-        text: differ,
-        point,
-    };
-    Ok((Kind::Approximation, vec![Stated::always(equal), beyond]))
+    let (point, references) = composer.point(&measures, true);
+    let beyond = (differ, Rule::Point(point, references));
+    Ok((Kind::Approximation, vec![(equal, Rule::Check), beyond]))
 }
 
 fn sign(comparison: Comparison) -> &'static str {
@@ -349,6 +321,21 @@ fn refuted(composer: &mut Composer<'_>, claim: &Claim) -> Result<Theorems, Withh
     let right = composer.writer.side(&claim.statement.right)?;
     let text = format!("{given} refutes\n  {left}\n  {sign} {right}");
     let settings = settings(witness, &composer.writer)?;
-    let point = Some(composer.point(&settings, false));
-    Ok((Kind::Refutation, vec![Stated { text, point }]))
+    let (point, references) = composer.point(&settings, false);
+    let rule = Rule::Point(point, references);
+    Ok((Kind::Refutation, vec![(text, rule)]))
+}
+
+fn ill_formed(composer: &mut Composer<'_>, claim: &Claim) -> Result<Theorems, Withheld> {
+    let (left, right) = (&claim.statement.left, &claim.statement.right);
+    let misfit = claim
+        .misfit
+        .as_ref()
+        .ok_or("what does not fit is not known")?;
+    let rule = match misfit {
+        Misfit::Units(_) => Rule::Units,
+        Misfit::Shapes => Rule::Shapes,
+    };
+    let statement = composer.misfit(left, right, misfit)?;
+    Ok((Kind::IllFormed, vec![(statement, rule)]))
 }

@@ -1,5 +1,6 @@
 //! What a document declares and defines, in the words of the kernel.
 
+use crate::derivation::condition::{Condition, Requirement};
 use crate::derivation::scope::Meaning;
 use crate::language::built_in::{BuiltIn, Declared};
 use crate::language::mention::Mention;
@@ -13,6 +14,7 @@ use super::entry::Entry;
 use super::expression::{Function, Withheld, Writer};
 use super::point::Usual;
 use super::theorem::{Part, Theorem, comment};
+use super::unit::Units;
 
 /// Writes the parts of a certificate.
 pub(super) struct Composer<'a> {
@@ -25,6 +27,7 @@ pub(super) struct Composer<'a> {
     /// Hypotheses that were not written yet, how many lists of them were, and whether directions and references are.
     pending: Vec<String>,
     lists: usize,
+    pub(super) units: Units,
     /// Whether an assumption could not be said, so that what is possible is not known.
     pub(super) leaves_out_assumptions: bool,
     /// The angle along which an angle of a vector is taken.
@@ -45,6 +48,7 @@ impl<'a> Composer<'a> {
             next: 2,
             pending: Vec::new(),
             lists: 0,
+            units: Units::default(),
             leaves_out_assumptions: false,
             direction: None,
             references: Vec::new(),
@@ -92,6 +96,7 @@ impl<'a> Composer<'a> {
             } => {
                 let words = format!("{}{}", unit.value, said(description.as_deref()));
                 self.constants(names, *sign, &words);
+                self.measure(names, unit);
             }
             StatementKind::Angle { names, description } => {
                 let ascii = names.iter().map(|name| name.value.ascii.clone());
@@ -116,6 +121,7 @@ impl<'a> Composer<'a> {
                         "Definition {own} := complex_number {real} {imaginary}. (* {words} *)\n"
                     ));
                 }
+                self.measure(names, unit);
             }
             StatementKind::Coordinate {
                 names,
@@ -136,10 +142,17 @@ impl<'a> Composer<'a> {
                         "Definition {own} := coordinate {number}. (* {words} *)\n"
                     ));
                 }
+                self.measure(names, unit);
             }
             StatementKind::Function {
-                names, reference, ..
-            } => self.functions(names, reference),
+                names,
+                reference,
+                unit,
+                ..
+            } => {
+                self.functions(names, reference);
+                self.measure(names, unit);
+            }
             StatementKind::Imaginary { name } => {
                 let own = self.declare(&name.value);
                 self.text(format!("Definition {own} := imaginary.\n"));
@@ -242,6 +255,14 @@ impl<'a> Composer<'a> {
                 }
             }
         }
+    }
+
+    /// Remembers what names are measured in.
+    fn measure(&mut self, names: &[Spanned<Name>], unit: &Spanned<String>) {
+        let known = names
+            .iter()
+            .filter_map(|name| self.writer.names.get(&name.value.ascii));
+        self.units.add(known, unit);
     }
 
     fn withhold(&mut self, name: &Name, reason: Withheld) {
@@ -363,6 +384,18 @@ impl<'a> Composer<'a> {
         )
     }
 
+    /// Conditions as hypotheses.
+    pub(super) fn conditions(&self, conditions: &[Condition]) -> Result<Vec<String>, Withheld> {
+        let hypothesis = |condition: &Condition| {
+            let expression = self.writer.argument(&condition.expression)?;
+            Ok(match condition.requirement {
+                Requirement::NonZero => format!("non_zero {expression}"),
+                Requirement::Positive => format!("positive {expression}"),
+            })
+        };
+        conditions.iter().map(hypothesis).collect()
+    }
+
     /// What a theorem stands under: `given directions declared conditions`.
     pub(super) fn given(&self, conditions: &[String]) -> String {
         let directions = match &self.direction {
@@ -453,34 +486,10 @@ fn said(description: Option<&str>) -> String {
 
 /// The calls of a function in an expression.
 fn collect_calls(expression: &Expression, name: &str, found: &mut Vec<Expression>) {
-    let mut all = |expressions: &[&Expression]| {
-        expressions
-            .iter()
-            .for_each(|own| collect_calls(own, name, found))
-    };
-    match &expression.node {
-        Node::Number(_) | Node::Name(_) | Node::Derivative(..) => {}
-        Node::Negative(operand) => all(&[operand]),
-        Node::Binary(_, left, right) => all(&[left, right]),
-        Node::Matrix(rows) => rows.iter().flatten().for_each(|own| all(&[own])),
-        Node::Index(base, _) => all(&[base]),
-        Node::At(inner, place) => {
-            all(&[inner]);
-            if let Place::Replacements(replacements) = place {
-                replacements.iter().for_each(|one| all(&[&one.value]));
-            }
-        }
-        Node::Call {
-            function,
-            arguments,
-            ..
-        } => {
-            arguments.iter().for_each(|own| all(&[own]));
-            if function.ascii == name {
-                found.push(expression.clone());
-            }
-        }
-    }
+    expression.visit(&mut |own| match &own.node {
+        Node::Call { function, .. } if function.ascii == name => found.push(own.clone()),
+        _ => {}
+    });
 }
 
 /// The words of a statement, for a comment above it.

@@ -10,6 +10,7 @@ use super::claim::{add, add_matching};
 use super::composer::Composer;
 use super::entry::Entry;
 use super::kernel::LIBRARY;
+use super::program::add_program;
 use super::theorem::{Part, Theorem, comment};
 
 /// A document as a file for Coq.
@@ -30,6 +31,17 @@ pub struct Certificate {
 /// Why a claim is withheld whose theorem the checker does not accept.
 const REFUSED: &str = "the checker of the kernel finds no proof";
 
+/// Marks the claims of a document that its certificate states as theorems.
+pub fn mark(audit: &mut Audit) {
+    let certificate = Certificate::of(audit);
+    let entries = certificate.entries.iter();
+    let stated = entries.filter(|own| own.certificate.is_ok());
+    let stated: BTreeSet<&str> = stated.map(|own| own.id.as_str()).collect();
+    for claim in &mut audit.claims {
+        claim.is_certified = Some(stated.contains(claim.label.id.as_str()));
+    }
+}
+
 impl Certificate {
     /// The certificate of a document that was audited.
     pub fn of(audit: &Audit) -> Self {
@@ -40,6 +52,12 @@ impl Certificate {
             if let Ok(document) = read_document(source, audit.aliases()) {
                 for statement in &document.statements {
                     composer.outputs(statement);
+                    if let StatementKind::Evaluator { name, .. } = &statement.kind {
+                        let mut evaluators = audit.evaluators.iter().filter(|_| is_own);
+                        if let Some(own) = evaluators.find(|own| own.name == name.value) {
+                            add_program(&mut composer, own, audit.line_of(statement));
+                        }
+                    }
                     let label = match &statement.kind {
                         StatementKind::Assertion { label, .. }
                         | StatementKind::Eigenpair { label, .. } => label,

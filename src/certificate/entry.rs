@@ -17,6 +17,10 @@ pub enum Kind {
     Approximation,
     /// What a matching leaves of each power.
     Matching,
+    /// Two parts differ in their units, or shapes do not fit.
+    IllFormed,
+    /// The operations of an emitted function give what the document says.
+    Program,
     /// There is an assignment under which both sides have values that differ.
     Refutation,
 }
@@ -30,29 +34,51 @@ impl Kind {
             Kind::Eigenpair => "eigenpair",
             Kind::Approximation => "approximation",
             Kind::Matching => "matching",
+            Kind::IllFormed => "ill-formed",
+            Kind::Program => "emitted function",
             Kind::Refutation => "refutation",
         }
     }
 }
 
-/// What became of a claim.
+/// What is certified.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// A claim of this verdict.
+    Claim(Verdict),
+    /// The solution of a matching.
+    Matching,
+    /// An evaluator.
+    Program,
+}
+
+impl Subject {
+    /// A verdict, or what it is that has none.
+    pub fn text(self) -> &'static str {
+        match self {
+            Subject::Claim(verdict) => verdict.text(),
+            Subject::Matching => "matching",
+            Subject::Program => "emitted function",
+        }
+    }
+
+    /// Whether it is a claim that holds.
+    pub fn holds(self) -> bool {
+        matches!(self, Subject::Claim(Verdict::Holds | Verdict::HoldsWhere))
+    }
+}
+
+/// What became of a claim, a matching or an evaluator.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// The id of the claim or of the matching.
+    /// Its id; the name of an evaluator.
     pub id: String,
     /// Its label as it is written.
     pub label: String,
     /// The line on which it stands.
     pub line: usize,
-    /// Its verdict; a matching has none.
-    pub verdict: Option<Verdict>,
+    /// What it is.
+    pub subject: Subject,
     /// What its theorems say, or why there are none.
     pub certificate: Result<Kind, Withheld>,
-}
-
-impl Entry {
-    /// Its verdict in words.
-    pub fn verdict(&self) -> &'static str {
-        self.verdict.map_or("matching", Verdict::text)
-    }
 }

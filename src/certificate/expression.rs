@@ -373,6 +373,11 @@ fn natural(expression: &Expression) -> Result<String, Withheld> {
     Ok(number.into_parts().0.to_string())
 }
 
+/// A number that can stand as an operand.
+pub(super) fn number(number: &Rational) -> String {
+    rational(number).within(Strength::Single)
+}
+
 fn rational(number: &Rational) -> Text {
     let (above, below) = number.clone().into_parts();
     let size = |number: Integer| match number < Integer::ZERO {

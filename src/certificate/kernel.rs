@@ -1,7 +1,7 @@
 //! The files of the kernel, which come with the command.
 
 /// Names and texts, in the order in which they build on each other.
-pub const FILES: [(&str, &str); 9] = [
+pub const FILES: [(&str, &str); 10] = [
     ("Term.v", include_str!("../../certificates/Term.v")),
     ("Calculus.v", include_str!("../../certificates/Calculus.v")),
     ("Normal.v", include_str!("../../certificates/Normal.v")),
@@ -10,6 +10,7 @@ pub const FILES: [(&str, &str); 9] = [
     ("Check.v", include_str!("../../certificates/Check.v")),
     ("Analysis.v", include_str!("../../certificates/Analysis.v")),
     ("Refute.v", include_str!("../../certificates/Refute.v")),
+    ("Unit.v", include_str!("../../certificates/Unit.v")),
     ("Document.v", include_str!("../../certificates/Document.v")),
 ];
 

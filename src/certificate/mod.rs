@@ -13,4 +13,6 @@ pub mod expression;
 pub mod kernel;
 pub mod name;
 mod point;
+mod program;
 pub mod theorem;
+mod unit;

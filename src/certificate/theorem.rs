@@ -18,24 +18,41 @@ pub struct Theorem {
     pub name: String,
     /// `given … |= λ_1 == …`
     pub statement: String,
-    /// The assignment by which something is refuted, and the places of functions; nothing for what always holds.
-    pub point: Option<(String, String)>,
+    /// How it is proved.
+    pub rule: Rule,
+}
+
+/// How a statement is proved.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// By the checker of what always holds.
+    Check,
+    /// At an assignment, with the places of functions.
+    Point(String, String),
+    /// By the units of two expressions.
+    Units,
+    /// By the shapes of matrices.
+    Shapes,
 }
 
 impl Theorem {
     /// What proves it.
     pub(super) fn proof(&self) -> String {
-        match &self.point {
-            None => "by_check".into(),
-            Some((point, references)) => format!("by_point {point} {references}"),
+        match &self.rule {
+            Rule::Check => "by_check".into(),
+            Rule::Point(point, references) => format!("by_point {point} {references}"),
+            Rule::Units => "by_units".into(),
+            Rule::Shapes => "by_shapes".into(),
         }
     }
 
     /// The same, tried at once.
     pub(super) fn trial(&self) -> String {
-        match &self.point {
-            None => "accepts".into(),
-            Some((point, references)) => format!("accepts_point {point} {references}"),
+        match &self.rule {
+            Rule::Check => "accepts".into(),
+            Rule::Point(point, references) => format!("accepts_point {point} {references}"),
+            Rule::Units => "accepts_units".into(),
+            Rule::Shapes => "by_shapes".into(),
         }
     }
 }

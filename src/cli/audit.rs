@@ -5,6 +5,7 @@ use std::time::{Duration, SystemTime};
 
 use clap::Args;
 
+use crate::certificate::document::mark;
 use crate::derivation::matching::Matched;
 use crate::report::{json, latex, markdown, text, words};
 use crate::verdict::audit::Audit;
@@ -43,6 +44,10 @@ pub struct Arguments {
     #[arg(long, value_name = "ID")]
     explain: Option<String>,
 
+    /// Mark with ⊢ what has a theorem that Coq can check (see `sextic certify`)
+    #[arg(long)]
+    certified: bool,
+
     /// Judge documents again whenever they change, until the command is interrupted; one that did not change, and
     /// imports none that did, is not judged again
     #[arg(long, conflicts_with = "explain")]
@@ -58,6 +63,7 @@ Examples:
   sextic audit                          the documents that come with the command
   sextic audit paper.md                 a document of your own
   sextic audit paper.md --watch         the same whenever it is saved
+  sextic audit --certified              which verdicts have theorems for Coq
   sextic audit --explain 12             how the verdict on equation (12) was reached
   sextic audit --format json | jq '.documents[].claims[] | select(.verdict == \"refuted\") | .id'";
 
@@ -66,7 +72,10 @@ pub fn run(arguments: &Arguments) -> Outcome {
     if arguments.watch {
         return watch(arguments);
     }
-    let audited = audit_all(&arguments.documents);
+    let mut audited = audit_all(&arguments.documents);
+    if arguments.certified {
+        audited.audits.iter_mut().for_each(mark);
+    }
     match &arguments.explain {
         Some(wanted) => explain(wanted, &audited.audits, audited.outcome, arguments),
         None => write(&audited, arguments).0,
@@ -86,7 +95,10 @@ fn watch(arguments: &Arguments) -> Outcome {
     let mut asked: BTreeSet<String> = paths.iter().cloned().collect();
     loop {
         let before = stamps(&asked);
-        let audited = audit_again(paths, earlier);
+        let mut audited = audit_again(paths, earlier);
+        if arguments.certified {
+            audited.audits.iter_mut().for_each(mark);
+        }
         let (outcome, is_read) = write(&audited, arguments);
         if !is_read {
             return outcome;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 
+use crate::certificate::document::mark;
 use crate::compile::fixed::Fixed;
 use crate::report::gallery::of_case;
 use crate::report::html::{self, CaseFiles, Request};
@@ -111,7 +112,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         Err(outcome) => return outcome,
     };
     let Audited {
-        audits,
+        mut audits,
         mut outcome,
         ..
     } = match arguments.only_case {
@@ -121,6 +122,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     if audits.is_empty() && !arguments.only_case {
         return outcome;
     }
+    audits.iter_mut().for_each(mark);
     let request = Request {
         document: arguments.document.as_deref(),
         audits: &audits,

@@ -12,11 +12,12 @@ use sextic_codegen::evaluator::{Angle, Evaluator as Emitted, Input as EmittedInp
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::symbol::Symbol;
-use crate::derivation::condition::Conditions;
+use crate::derivation::condition::{Condition, Conditions};
 use crate::derivation::elaboration::Elaborator;
+use crate::derivation::quantity::Value;
 use crate::language::diagnostic::Diagnostic;
 use crate::language::evaluator::{Evaluator, Output};
-use crate::language::syntax::{Label, Place};
+use crate::language::syntax::{Expression, Label, Place};
 use crate::verdict::audit::Audit;
 
 use super::constant::Constant;
@@ -36,6 +37,8 @@ pub struct Specification {
     pub constants: Vec<Constant>,
     /// The outputs by name, in normal form, as the document derives them.
     pub outputs: Vec<(String, Fraction)>,
+    /// The same, as the document writes them.
+    pub written: Vec<Expression>,
     /// The names that were fixed, also those that are gone from the program.
     pub fixed: Vec<String>,
     /// The names of the document and the ring of these elements.
@@ -93,6 +96,7 @@ impl Specification {
             elaborator,
             inputs,
             outputs,
+            written: Vec::new(),
             constants: Vec::new(),
             fixed: Vec::new(),
             symbols: Vec::new(),
@@ -142,7 +146,11 @@ impl Specification {
         mut elaborator: Elaborator,
     ) -> Result<Self, Refusal> {
         elaborator.fresh();
-        let (outputs, shown) = outputs(evaluator, &mut elaborator)?;
+        let Outputs {
+            elements: outputs,
+            written,
+            shown,
+        } = Outputs::of(evaluator, &mut elaborator)?;
         let needed = std::mem::take(&mut elaborator.conditions);
         let conditions = elaborator.present_conditions(&needed, &evaluator.span);
         let conditions = conditions.map_err(Refusal::document)?;
@@ -182,6 +190,7 @@ impl Specification {
             rounding: None,
         };
         Ok(Specification {
+            written,
             symbols: inputs.iter().map(|(symbol, _)| *symbol).collect(),
             conditions: needed,
             requirements,
@@ -195,6 +204,29 @@ impl Specification {
         let free = free.map(|(name, element)| (name.as_str(), element));
         let fixed = self.constants.iter();
         free.chain(fixed.map(|constant| (constant.name.as_str(), &constant.element)))
+    }
+
+    /// The inputs as the document writes them: `m`, `cos(α_0)`, `C_D′`.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`] where one cannot be written.
+    pub fn written_inputs(&self) -> Result<Vec<Expression>, Refusal> {
+        let elements = self.inputs.iter();
+        let written = elements.map(|(_, element)| self.elaborator.present(element, &(0..0)));
+        written.collect::<Result<_, _>>().map_err(Refusal::document)
+    }
+
+    /// What its outputs need.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`] where a condition cannot be written.
+    pub fn conditions(&self) -> Result<Vec<Condition>, Refusal> {
+        let conditions = self
+            .elaborator
+            .present_conditions(&self.conditions, &(0..0));
+        conditions.map_err(Refusal::document)
     }
 
     /// Whether a name is that of an input, or of an angle that inputs are made of.
@@ -218,32 +250,43 @@ impl Specification {
     }
 }
 
-/// Elements of a ring by name.
-type Elements = Vec<(String, Fraction)>;
+/// The outputs of an evaluator, entry by entry.
+#[derive(Default)]
+struct Outputs {
+    /// In normal form, by name.
+    elements: Vec<(String, Fraction)>,
+    /// As the document writes them.
+    written: Vec<Expression>,
+    /// What is said of each.
+    shown: Vec<Quantity>,
+}
 
-/// The outputs in normal form, entry by entry, and what is said of each.
-fn outputs(
-    evaluator: &Evaluator,
-    elaborator: &mut Elaborator,
-) -> Result<(Elements, Vec<Quantity>), Refusal> {
-    let (mut outputs, mut shown) = (Vec::new(), Vec::new());
-    for output in &evaluator.outputs {
-        let value = elaborator.value(&output.expression);
-        let value = value.map_err(Refusal::document)?;
+impl Outputs {
+    fn of(evaluator: &Evaluator, elaborator: &mut Elaborator) -> Result<Self, Refusal> {
+        let mut outputs = Outputs::default();
+        for output in &evaluator.outputs {
+            let value = elaborator.value(&output.expression);
+            outputs.add(output, &value.map_err(Refusal::document)?);
+        }
+        Ok(outputs)
+    }
+
+    fn add(&mut self, output: &Output, value: &Value) {
         let ascii = entry_names(&output.name.ascii, value.shape());
         let unicode = entry_names(&output.name.unicode, value.shape());
         for ((name, symbol), entry) in ascii.into_iter().zip(unicode).zip(value.entries()) {
             let unit = entry.unit.as_ref().map(ToString::to_string);
-            shown.push(Quantity {
+            self.shown.push(Quantity {
                 name: name.clone(),
                 symbol,
                 unit: unit.unwrap_or_default(),
                 description: String::new(),
             });
-            outputs.push((name, entry.value.clone()));
+            self.elements.push((name, entry.value.clone()));
         }
+        self.written
+            .extend(output.expression.entries(value.shape()));
     }
-    Ok((outputs, shown))
 }
 
 /// The numbers of a label: 21, 22 and 23 of `(21, 22, 23)`, 19 of `(19, tuned)`.

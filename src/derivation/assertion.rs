@@ -72,11 +72,20 @@ pub struct Finding {
     pub(crate) sides: Option<(Value, Value)>,
 }
 
+/// What does not fit together in an assertion.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Misfit {
+    /// The shapes of matrices.
+    Shapes,
+    /// The units of two expressions that are added or compared, which are known if they stand in the assertion itself.
+    Units(Option<Box<(Expression, Expression)>>),
+}
+
 /// What the normal forms of both sides show.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Outcome {
     /// Units or shapes do not match.
-    IllFormed(String),
+    IllFormed { reason: String, misfit: Misfit },
     /// The normal forms agree, or the inequality follows from the assumptions.
     True,
     /// The normal forms agree up to the order; the degree behind it at which they do not, if one was found.
@@ -94,6 +103,24 @@ impl Outcome {
             Outcome::Different(degree) => *degree,
             _ => None,
         }
+    }
+}
+
+impl Misfit {
+    /// What a mistake of units or shapes in a relation is about; it labels the expressions.
+    fn of(error: &Diagnostic, relation: &Relation) -> Self {
+        if error.kind == DiagnosticKind::Shape {
+            return Misfit::Shapes;
+        }
+        let part = |place: usize| {
+            let (span, _) = error
+                .secondary
+                .get(place)
+                .filter(|(own, _)| !own.is_empty())?;
+            let mut sides = [&relation.left, &relation.right].into_iter();
+            sides.find_map(|side| side.part_at(span)).cloned()
+        };
+        Misfit::Units(part(0).zip(part(1)).map(Box::new))
     }
 }
 
@@ -119,10 +146,10 @@ impl Elaborator {
         }
         let (left, right) = match self.sides(relation)? {
             Ok(sides) => sides,
-            Err(reason) => {
+            Err((reason, misfit)) => {
                 return Ok(Finding {
                     assertion: assertion.clone(),
-                    outcome: Outcome::IllFormed(reason),
+                    outcome: Outcome::IllFormed { reason, misfit },
                     conditions: Vec::new(),
                     residual: None,
                     sides: None,
@@ -193,28 +220,34 @@ impl Elaborator {
     }
 
     /// Both sides, or why they cannot be compared: their units or shapes do not match.
-    fn sides(&mut self, relation: &Relation) -> Result<Result<(Value, Value), String>, Diagnostic> {
+    fn sides(
+        &mut self,
+        relation: &Relation,
+    ) -> Result<Result<(Value, Value), (String, Misfit)>, Diagnostic> {
         let sides = self
             .value(&relation.left)
             .and_then(|left| Ok((left, self.value(&relation.right)?)));
         let (left, right) = match sides {
             Ok(sides) => sides,
             Err(error) if matches!(error.kind, DiagnosticKind::Unit | DiagnosticKind::Shape) => {
-                return Ok(Err(error.message));
+                let misfit = Misfit::of(&error, relation);
+                return Ok(Err((error.message, misfit)));
             }
             Err(error) => return Err(error),
         };
-        let contrast = |a: String, b: String| Ok(Err(format!("left {a}, right {b}")));
+        let contrast =
+            |a: String, b: String, misfit| Ok(Err((format!("left {a}, right {b}"), misfit)));
         if left.shape() != right.shape() {
             let shape = |value: &Value| format!("{}×{}", value.rows(), value.columns());
-            return contrast(shape(&left), shape(&right));
+            return contrast(shape(&left), shape(&right), Misfit::Shapes);
         }
         for (a, b) in left.entries().iter().zip(right.entries()) {
             if common_unit(&a.unit, &b.unit).is_err() {
                 let unit = |unit: &Option<Unit>| {
                     unit.as_ref().map(ToString::to_string).unwrap_or_default()
                 };
-                return contrast(unit(&a.unit), unit(&b.unit));
+                let sides = Box::new((relation.left.clone(), relation.right.clone()));
+                return contrast(unit(&a.unit), unit(&b.unit), Misfit::Units(Some(sides)));
             }
         }
         Ok(Ok((left, right)))

@@ -53,4 +53,17 @@ impl Expression {
             span,
         }
     }
+
+    /// A number itself, and `M[1, 1]`, `M[1, 2]`, … of a matrix of this shape.
+    pub fn entries(&self, (rows, columns): (usize, usize)) -> Vec<Expression> {
+        if (rows, columns) == (1, 1) {
+            return vec![self.clone()];
+        }
+        let places = (1..=rows).flat_map(|row| (1..=columns).map(move |column| [row, column]));
+        let entry = |place: [usize; 2]| {
+            let indices = place.map(|own| Expression::number(own.into()));
+            Expression::made(Node::Index(Box::new(self.clone()), indices.into()))
+        };
+        places.map(entry).collect()
+    }
 }

@@ -58,6 +58,18 @@ impl Unit {
         })
     }
 
+    /// The exponents of kg, m, s, A and K, if they are whole.
+    pub fn exponents(&self) -> Option<[i64; 5]> {
+        let mut exponents = [0; 5];
+        for ((base, _), exponent) in UNITS.iter().zip(&mut exponents) {
+            let own = self.exponents.get(base).cloned().unwrap_or_default();
+            *exponent = i64::try_from(own.numerator())
+                .ok()
+                .filter(|_| own.is_int())?;
+        }
+        Some(exponents)
+    }
+
     /// The unit of a product.
     pub fn product(&self, other: &Self) -> Self {
         let mut exponents = self.exponents.clone();

@@ -1,50 +1,53 @@
 //! Walking through expressions.
 
 use std::collections::BTreeSet;
+use std::iter;
 
-use super::syntax::{Expression, Name, Node, Place};
+use super::syntax::{Expression, Name, Node, Place, Span};
 
 impl Expression {
-    /// Calls a function for every name in the expression, from left to right.
-    pub fn visit_names(&self, visit: &mut dyn FnMut(&Name)) {
+    /// The expressions that it is made of, from left to right.
+    pub fn operands(&self) -> Vec<&Expression> {
         match &self.node {
-            Node::Number(_) => {}
-            Node::Name(name) | Node::Derivative(name, _) => visit(name),
-            Node::Negative(inner) => inner.visit_names(visit),
-            Node::Binary(_, left, right) => {
-                left.visit_names(visit);
-                right.visit_names(visit);
-            }
-            Node::Call {
-                function,
-                arguments,
-                ..
-            } => {
-                visit(function);
-                arguments
-                    .iter()
-                    .for_each(|argument| argument.visit_names(visit));
-            }
-            Node::Matrix(rows) => rows
-                .iter()
-                .flatten()
-                .for_each(|entry| entry.visit_names(visit)),
-            Node::Index(matrix, indices) => {
-                matrix.visit_names(visit);
-                indices.iter().for_each(|index| index.visit_names(visit));
-            }
-            Node::At(inner, place) => {
-                inner.visit_names(visit);
-                match place {
-                    Place::Named(name) => visit(&name.value),
-                    Place::Replacements(replacements) => {
-                        for replacement in replacements {
-                            replacement.value.visit_names(visit);
-                        }
-                    }
-                }
+            Node::Number(_) | Node::Name(_) | Node::Derivative(..) => Vec::new(),
+            Node::Negative(inner) | Node::At(inner, Place::Named(_)) => vec![inner],
+            Node::Binary(_, left, right) => vec![left, right],
+            Node::Call { arguments, .. } => arguments.iter().collect(),
+            Node::Matrix(rows) => rows.iter().flatten().collect(),
+            Node::Index(matrix, indices) => iter::once(&**matrix).chain(indices).collect(),
+            Node::At(inner, Place::Replacements(replacements)) => {
+                let values = replacements.iter().map(|own| &own.value);
+                iter::once(&**inner).chain(values).collect()
             }
         }
+    }
+
+    /// Calls a function for the expression and for all that it is made of.
+    pub fn visit<'a>(&'a self, visit: &mut dyn FnMut(&'a Expression)) {
+        visit(self);
+        let operands = self.operands();
+        operands.into_iter().for_each(|own| own.visit(visit));
+    }
+
+    /// The part of it that stands at a place of the document.
+    pub fn part_at(&self, span: &Span) -> Option<&Expression> {
+        let operands = self.operands().into_iter();
+        match self.span == *span {
+            true => Some(self),
+            false => operands
+                .map(|own| own.part_at(span))
+                .find(Option::is_some)?,
+        }
+    }
+
+    /// Calls a function for every name in the expression.
+    pub fn visit_names(&self, visit: &mut dyn FnMut(&Name)) {
+        self.visit(&mut |own| match &own.node {
+            Node::Name(name) | Node::Derivative(name, _) => visit(name),
+            Node::Call { function, .. } => visit(function),
+            Node::At(_, Place::Named(name)) => visit(&name.value),
+            _ => {}
+        });
     }
 
     /// Forgets where it stands, as if the engine had made it.

@@ -10,6 +10,9 @@ use crate::verdict::claim::{Claim, Coordinate, Verdict};
 
 use super::phrase::Phrase;
 
+/// Beside a claim that its certificate states as a theorem for Coq.
+pub const CERTIFIED: &str = "⊢";
+
 /// `(8, printed)` or `[centre of rotation]`, as the document writes it.
 pub fn label(label: &Label) -> String {
     label.written()

@@ -194,7 +194,7 @@ impl Audit {
     }
 
     /// The line on which one of its statements begins.
-    pub(super) fn line_of(&self, statement: &Statement) -> usize {
+    pub(crate) fn line_of(&self, statement: &Statement) -> usize {
         self.source().line_and_column(&statement.span).0
     }
 

@@ -2,7 +2,7 @@
 
 use crate::algebra::number::Rational;
 
-use crate::derivation::assertion::Assertion;
+use crate::derivation::assertion::{Assertion, Misfit};
 use crate::derivation::condition::Condition;
 use crate::derivation::quantity::Value;
 use crate::language::notation::Notation;
@@ -106,6 +106,8 @@ pub struct Claim {
     pub difference: Option<Expression>,
     /// Of a refutation, where the sides differ.
     pub witness: Option<Witness>,
+    /// Of what is ill-formed, what does not fit together.
+    pub misfit: Option<Misfit>,
     /// Why an assertion is ill-formed, undecided or skipped.
     pub reason: Option<String>,
     /// The normal forms of both sides; nothing where they cannot be compared.
@@ -113,6 +115,8 @@ pub struct Claim {
     /// At how many random places both sides were compared and found equal or in order: assignments, or
     /// random numbers modulo a large prime.
     pub points: usize,
+    /// Whether a certificate states what was found as a theorem; nothing where that was not looked for.
+    pub is_certified: Option<bool>,
     /// Whether it is undecided since the two routes disagree, which is a mistake of this program.
     pub fault: bool,
 }
@@ -132,9 +136,11 @@ impl Claim {
             residual: None,
             difference: None,
             witness: None,
+            misfit: None,
             reason: None,
             sides: None,
             points: 0,
+            is_certified: None,
             fault: false,
         }
     }

@@ -201,9 +201,10 @@ impl<'a> Court<'a> {
     fn claim(&mut self, finding: &'a Finding) -> Claim {
         let mut claim = undecided(finding);
         match &finding.outcome {
-            Outcome::IllFormed(reason) => {
+            Outcome::IllFormed { reason, misfit } => {
                 claim.verdict = Verdict::IllFormed;
                 claim.reason = Some(reason.clone());
+                claim.misfit = Some(misfit.clone());
                 return claim;
             }
             _ if self.is_empty() => {

@@ -90,7 +90,13 @@ fn every_claim_is_stated_or_withheld_with_a_reason() {
                 Ok(kind) => kind.text().to_owned(),
                 Err(reason) => format!("withheld: {reason}"),
             };
-            writeln!(ledger, "  {} · {} · {found}", entry.label, entry.verdict()).expect("a text");
+            writeln!(
+                ledger,
+                "  {} · {} · {found}",
+                entry.label,
+                entry.subject.text()
+            )
+            .expect("a text");
         }
     }
     lock("ledger", &ledger);
@@ -98,23 +104,42 @@ fn every_claim_is_stated_or_withheld_with_a_reason() {
 
 #[test]
 fn what_the_kernel_has_no_words_for_is_withheld() {
-    for (claim, reason) in [
+    for (statements, reason) in [
         (
-            "[x, y]*kernel([x, y]) == 0",
+            "parameter x, y : 1\nclaim (1): [x, y]*kernel([x, y]) == 0",
             "`kernel` is not in the kernel's vocabulary",
         ),
-        ("ill-formed", "units are outside of the kernel"),
+        (
+            "parameter m : kg^0.5\nill-formed (1): m == m^2",
+            "the exponents of the unit kg^0.5 are not whole",
+        ),
+        (
+            "parameter m : kg\nadded(x) := x + x^2\nill-formed (1): added(m) == 0",
+            "the units differ inside of a definition",
+        ),
     ] {
-        let certificate = match claim {
-            "ill-formed" => written("parameter m : kg\nill-formed (1): m == m^2"),
-            claim => written(&format!("parameter x, y : 1\nclaim (1): {claim}")),
-        };
+        let certificate = written(statements);
         let [entry] = certificate.entries.as_slice() else {
             panic!("one claim")
         };
-        assert_eq!(entry.certificate, Err(reason.to_owned()), "{claim}");
-        assert_eq!(certificate.theorems().count(), 0, "{claim}");
+        assert_eq!(entry.certificate, Err(reason.to_owned()), "{statements}");
+        assert_eq!(certificate.theorems().count(), 0, "{statements}");
     }
+}
+
+/// An evaluator whose terms are too many, multiplied out, takes the claims with it that name its outputs.
+#[test]
+fn an_evaluator_of_too_many_terms_is_withheld() {
+    let certificate = written(
+        "parameter a, b, c, f : 1 > 0\nparameter m : 1 > 0\n\
+         evaluator [large] large: y = (a/(m + b) + c/(m + f))^2*(a + b*m)^8*(b + c*m)^8\nclaim (1): large.y == large.y",
+    );
+    let found: Vec<_> = certificate
+        .entries
+        .iter()
+        .map(|own| own.certificate.is_ok())
+        .collect();
+    assert_eq!(found, [false, false], "{:?}", certificate.entries);
 }
 
 /// A definition that cannot be said takes the claims with it that rest on it.

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::mathematics::{formula, phrase};
 use crate::language::notation::Notation;
 use crate::report::details::{Extent, details, route};
-use crate::report::words;
+use crate::report::words::{self, CERTIFIED};
 use crate::verdict::claim::{Claim, Verdict};
 
 /// What the template is given of an assertion.
@@ -28,6 +28,8 @@ pub struct AssertionView {
     /// HTML: the equation.
     statement: String,
     details: Vec<DetailView>,
+    /// ⊢, if a certificate states it as a theorem.
+    certified: Option<&'static str>,
     /// How the verdict was reached.
     route: String,
     line: usize,
@@ -60,6 +62,7 @@ impl AssertionView {
                     text: phrase(&detail.phrase),
                 })
                 .collect(),
+            certified: claim.is_certified.filter(|is_so| *is_so).map(|_| CERTIFIED),
             route: route(claim),
             line: claim.line,
         }

@@ -101,6 +101,9 @@ struct ClaimObject<'a> {
     difference: Option<String>,
     witness: Option<WitnessObject<'a>>,
     reason: Option<&'a str>,
+    /// Whether its certificate states it as a theorem, where that is asked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    certified: Option<bool>,
     /// Whether it is undecided by a mistake of this program.
     fault: bool,
 }
@@ -235,6 +238,7 @@ fn claim_object(claim: &Claim) -> ClaimObject<'_> {
         difference: claim.difference.as_ref().map(ascii),
         witness: claim.witness.as_ref().map(witness_object),
         reason: claim.reason.as_deref(),
+        certified: claim.is_certified,
         fault: claim.fault,
     }
 }

@@ -14,7 +14,7 @@ struct ClaimObject<'a> {
     path: &'a str,
     id: &'a str,
     line: usize,
-    /// `matching` for a matching, which has none.
+    /// What it is instead if it has none: `matching`, `emitted function`.
     verdict: &'static str,
     /// What kind of statement is certified; nothing if it is withheld.
     certificate: Option<&'static str>,
@@ -29,7 +29,7 @@ pub fn ledger(certificates: &[Certificate]) -> String {
             path: &own.path,
             id: &entry.id,
             line: entry.line,
-            verdict: entry.verdict(),
+            verdict: entry.subject.text(),
             certificate: entry.certificate.as_ref().ok().map(|kind| kind.text()),
             reason: entry.certificate.as_ref().err().map(String::as_str),
         })

@@ -2,11 +2,11 @@
 
 use crate::language::notation::Notation;
 use crate::report::details::{Extent, details};
-use crate::report::words;
+use crate::report::words::{self, CERTIFIED};
 use crate::verdict::claim::Claim;
 
 use super::page::Page;
-use super::palette::{self, ALARM, FAINT, PLAIN, STRONG};
+use super::palette::{self, ALARM, FAINT, GOOD, PLAIN, STRONG};
 use super::run::{Run, column, spaces};
 
 /// The columns of a mark and a verdict; all else stands to the right of them.
@@ -58,7 +58,11 @@ pub fn headline(page: &mut Page, claim: &Claim) {
 
 /// `(1) the mass centre is a point of the body`
 pub fn name(claim: &Claim) -> Vec<Run> {
-    let mut runs = vec![Run::words(words::label(&claim.label), STRONG)];
+    let mut runs = Vec::new();
+    if claim.is_certified == Some(true) {
+        runs.push(Run::words(format!("{CERTIFIED} "), GOOD));
+    }
+    runs.push(Run::words(words::label(&claim.label), STRONG));
     if let Some(description) = &claim.description {
         runs.push(Run::words(format!(" {description}"), PLAIN));
     }

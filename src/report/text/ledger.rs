@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use crate::certificate::document::Certificate;
-use crate::verdict::claim::Verdict;
 
 /// How many claims of each kind are certified, and which are withheld and why.
 pub fn ledger(certificates: &[Certificate], is_checked: bool) -> String {
@@ -12,7 +11,7 @@ pub fn ledger(certificates: &[Certificate], is_checked: bool) -> String {
     for own in certificates {
         let mut kinds: BTreeMap<&str, usize> = BTreeMap::new();
         for entry in &own.entries {
-            let holds = matches!(entry.verdict, Some(Verdict::Holds | Verdict::HoldsWhere));
+            let holds = entry.subject.holds();
             holding += usize::from(holds);
             if let Ok(kind) = &entry.certificate {
                 *kinds.entry(kind.text()).or_default() += 1;
@@ -31,7 +30,7 @@ pub fn ledger(certificates: &[Certificate], is_checked: bool) -> String {
             text += &format!(
                 "  withheld  {} ({}): {reason}\n",
                 entry.label,
-                entry.verdict()
+                entry.subject.text()
             );
         }
         text.push('\n');
