@@ -157,3 +157,4 @@ Ltac by_check := by_rule (@nil term); vm_cast_no_check (eq_refl true).
 Ltac by_check_with hints := by_rule hints; vm_cast_no_check (eq_refl true).
 (** Whether the checker accepts a statement, said at once: for looking, not for proving. *)
 Ltac accepts := by_rule (@nil term); vm_compute; reflexivity.
+Ltac accepts_with hints := by_rule hints; vm_compute; reflexivity.

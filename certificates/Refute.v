@@ -108,7 +108,7 @@ Section Points.
   (** An angle is told by its measure or by its cosine and its sine. *)
   Definition turn i := match look Pos.eqb (numbers p) i with Some _ => None | None => look Pos.eqb (circle_points p) i end.
   Definition moving_turn i := match look same_motion (motions p) (i, O) with Some _ => None | None => look Pos.eqb (turns_ p) i end.
-  Definition atom_number (t : term) : option Q := match t with
+  Definition leaf_number (t : term) : option Q := match t with
     | Const i => look Pos.eqb (numbers p) i
     | Coord i k => look same_motion (motions p) (i, k)
     | Sin (Const i) => option_map snd (turn i)
@@ -118,6 +118,20 @@ Section Points.
     | App f k t => match look Pos.eqb (values_of p) f with
         | Some (r, vs) => if term_dec t r then if plain_term r then Some (nth k vs 0%Q) else None else None | None => None end
     | _ => None end.
+  (** A root is told if it is a fraction, too. *)
+  Definition root_number (q : Q) : option Q :=
+    let r := (Z.sqrt (Qnum q) # Z.to_pos (Z.sqrt (Zpos (Qden q))))%Q in if Qle_bool 0 r && Qeq_bool (r * r) q then Some r else None.
+  Fixpoint direct_number (t : term) : option Q := match t with
+    | Num z => Some (inject_Z z)
+    | Add x y => do u <- direct_number x; do v <- direct_number y; Some (Qred (u + v))
+    | Sub x y => do u <- direct_number x; do v <- direct_number y; Some (Qred (u - v))
+    | Mul x y => do u <- direct_number x; do v <- direct_number y; Some (Qred (u * v))
+    | Div x y => do u <- direct_number x; do v <- direct_number y; if Qeq_bool v 0 then None else Some (Qred (u / v))
+    | Opp x => do u <- direct_number x; Some (Qopp u)
+    | Pow x n => do u <- direct_number x; Some (Qred (Qpower u (Z.of_N n)))
+    | Sqrt x => do u <- direct_number x; root_number (Qred u)
+    | _ => leaf_number t end.
+  Definition atom_number (t : term) : option Q := match t with Sqrt _ => direct_number t | _ => leaf_number t end.
   (** An atom without a fraction is 0 in no term that is looked at. *)
   Definition numbers_of (table : list term) := map atom_number table.
   Fixpoint fraction_value_of (env : list (option Q)) (x : fe) : option Q := match x with
@@ -152,7 +166,7 @@ Section Points.
     unfold sound in Sound. apply andb_prop in Sound as [S1 S2]. unfold moving_turn. simpl. destruct (look same_motion (motions p) (i, O)); [discriminate|].
     intros L. rewrite L. apply (circle_right _ _ _ _ S2 L).
   Qed.
-  Lemma atom_number_right t q : atom_number t = Some q -> eval assigned t = Q2R q.
+  Lemma leaf_number_right t q : leaf_number t = Some q -> eval assigned t = Q2R q.
   Proof.
     assert (Z0 : Q2R 0 = 0) by (unfold Q2R; simpl; lra).
     destruct t; simpl; try discriminate.
@@ -168,6 +182,35 @@ Section Points.
       destruct (plain_term r) eqn:P; [|discriminate]. intros H. injection H as <-. rewrite (plain_right r P), Rminus_diag_eq, powers_at_0 by reflexivity.
       clear - Z0. revert vs. induction k; intros [|v vs]; simpl; auto.
   Qed.
+  Lemma red_right q : Q2R (Qred q) = Q2R q. Proof. apply Qeq_eqR, Qred_correct. Qed.
+  Lemma power_right q n : Q2R (Qpower q (Z.of_N n)) = Q2R q ^ N.to_nat n.
+  Proof.
+    symmetry. destruct n as [|n]; [change (1 = Q2R 1); unfold Q2R; simpl; lra|].
+    change (Q2R q ^ Pos.to_nat n = Q2R (Qpower_positive q n)). unfold Qpower_positive.
+    induction n using Pos.peano_ind; [change (Q2R q * 1 = Q2R q); ring|]. rewrite Pos2Nat.inj_succ. simpl Rpow_def.pow. rewrite IHn, <- Q2R_mult. apply Qeq_eqR.
+    symmetry. apply (pow_pos_succ Q_Setoid); [exact Qmult_comp|exact Qmult_assoc].
+  Qed.
+  Lemma root_number_right q r : root_number q = Some r -> sqrt (Q2R q) = Q2R r.
+  Proof.
+    unfold root_number. set (s := (Z.sqrt _ # _)%Q). destruct (Qle_bool 0 s && Qeq_bool (s * s) q)%bool eqn:E; [|discriminate].
+    intros H. injection H as <-. apply andb_prop in E as [P E]. apply Qle_bool_iff, Qle_Rle in P. apply Qeq_bool_eq, Qeq_eqR in E.
+    rewrite <- E, Q2R_mult. apply sqrt_square. replace 0 with (Q2R 0) by (unfold Q2R; simpl; lra). exact P.
+  Qed.
+  Lemma direct_number_right t : forall q, direct_number t = Some q -> eval assigned t = Q2R q.
+  Proof.
+    assert (N : forall q, Qeq_bool q 0 = false -> ~ (q == 0)%Q) by (intros q E H; apply Qeq_eq_bool in H; congruence).
+    induction t; intros q H; try exact (leaf_number_right _ _ H); simpl in H; split_options; simpl eval.
+    - unfold Q2R. simpl. lra.
+    - rewrite red_right, Q2R_plus, (IHt1 _ eq_refl), (IHt2 _ eq_refl). reflexivity.
+    - rewrite red_right, Q2R_minus, (IHt1 _ eq_refl), (IHt2 _ eq_refl). reflexivity.
+    - rewrite red_right, Q2R_mult, (IHt1 _ eq_refl), (IHt2 _ eq_refl). reflexivity.
+    - destruct (Qeq_bool q1 0) eqn:E; [discriminate|]. injection H as <-. rewrite red_right, Q2R_div by (apply N; exact E). rewrite (IHt1 _ eq_refl), (IHt2 _ eq_refl). reflexivity.
+    - rewrite Q2R_opp, (IHt _ eq_refl). reflexivity.
+    - rewrite red_right, power_right, (IHt _ eq_refl). reflexivity.
+    - rewrite (IHt _ eq_refl), <- (red_right q0). apply root_number_right. exact H.
+  Qed.
+  Lemma atom_number_right t q : atom_number t = Some q -> eval assigned t = Q2R q.
+  Proof. destruct t; try exact (leaf_number_right _ q). exact (direct_number_right _ q). Qed.
   Lemma fraction_value_right table x : forall q, fraction_value_of (numbers_of table) x = Some q -> ev (map (eval assigned) table) x = Q2R q.
   Proof.
     assert (R : forall q, Q2R (Qred q) = Q2R q) by (intros; apply Qeq_eqR, Qred_correct).
@@ -190,10 +233,7 @@ Section Points.
     - rewrite Q2R_opp. rewrite (IHx _ eq_refl). reflexivity.
     - destruct (Qeq_bool q0 0) eqn:E; [discriminate|]. injection H as <-. rewrite R, Q2R_inv by (apply N; exact E). rewrite (IHx _ eq_refl). reflexivity.
     - destruct (Qeq_bool q1 0) eqn:E; [discriminate|]. injection H as <-. rewrite R, Q2R_div by (apply N; exact E). rewrite (IHx1 _ eq_refl), (IHx2 _ eq_refl). reflexivity.
-    - rewrite R, (IHx _ eq_refl). clear. destruct n as [|n]; [change (1 = Q2R 1); unfold Q2R; simpl; lra|].
-      change (Q2R q0 ^ Pos.to_nat n = Q2R (Qpower_positive q0 n)). unfold Qpower_positive.
-      induction n using Pos.peano_ind; [change (Q2R q0 * 1 = Q2R q0); ring|]. rewrite Pos2Nat.inj_succ. simpl Rpow_def.pow. rewrite IHn, <- Q2R_mult. apply Qeq_eqR.
-      symmetry. apply (pow_pos_succ Q_Setoid); [exact Qmult_comp|exact Qmult_assoc].
+    - rewrite R, power_right, (IHx _ eq_refl). reflexivity.
   Qed.
   Lemma number_right table t q : number_of table t = Some q -> eval assigned t = Q2R q.
   Proof.

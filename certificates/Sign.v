@@ -132,7 +132,8 @@ Section Plans.
   Definition of_rest (p : sparse) : option plan :=
     match of_positive p with Some w => Some w | None => do w <- of_positive (opposite p); Some (Product (Number (-1)) w) end.
   Definition of_divisor (p : pe) : list (sparse * plan) :=
-    let m := monos 1 (polynomial p) in match of_rest m with Some w => [(m, w)] | None => [] end.
+    let m := monos 1 (polynomial p) in match of_rest m with Some w => [(m, w)]
+      | None => [(monos 1 (polynomial (PEmul p p)), Square p)] end.
   Definition find_factors : list (sparse * plan) :=
     filter (fun '(f, _) => negb (Nat.eqb (length f) 0) && negb (Nat.eqb (length (snd (hd (0%Z, []) f))) 0))
       (map (fun '(i, (_, f)) => (monos 1 (polynomial f), Fact i)) (combine (seq 0 (length (facts K))) (facts K))

@@ -1,5 +1,6 @@
 //! A claim as theorems, or why it is withheld.
 
+use crate::algebra::arithmetic::Arithmetic;
 use crate::derivation::assertion::Misfit;
 use crate::derivation::matching::Matched;
 use crate::derivation::scope::SymbolKind;
@@ -232,7 +233,30 @@ fn holds(
         Comparison::Equal => Kind::Equation,
         _ => Kind::Inequality,
     };
-    Ok((kind, vec![(first, Rule::Check)]))
+    let rule = squares(composer, claim).map_or(Rule::Check, Rule::Squares);
+    Ok((kind, vec![(first, rule)]))
+}
+
+/// What is squared in the difference of the sides of an inequality: it shows a sign that no other does.
+fn squares(composer: &Composer<'_>, claim: &Claim) -> Option<String> {
+    let (left, right) = claim.sides.as_ref()?;
+    let ring = &composer.audit.elaborator.ring;
+    if claim.statement.comparison == Comparison::Equal {
+        return None;
+    }
+    let (left, right) = (left.entries().first()?, right.entries().first()?);
+    let difference = ring.difference(&left.value, &right.value).ok()?;
+    let factors = ring.factored(&difference).ok()?.factors;
+    let squared = factors
+        .iter()
+        .filter(|(factor, exponent)| factor.len() > 1 && exponent % 2 == 0);
+    let presenter = composer.audit.elaborator.presenter();
+    let written = squared.map(|(factor, _)| {
+        let factor = presenter.polynomial(factor).ok()?;
+        composer.writer.side(&factor).ok()
+    });
+    let written = written.collect::<Option<Vec<_>>>()?;
+    (!written.is_empty()).then(|| format!("(real_parts [{}])", written.join("; ")))
 }
 
 fn approximate(

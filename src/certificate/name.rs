@@ -7,7 +7,7 @@ const RESERVED: &str = "Axiom CoFixpoint Definition End Fixpoint Goal Hypothesis
     Parameter Proof Prop Qed Require SProp Section Set Theorem Type Variable \
     as at by cofix do else end exists exists2 fix for forall fun if in is let match mod return then using where with \
     expr list need term pair fst snd nil cons \
-    above at_ at_entry below beside blocks check by_check by_check_with by_point by_shapes by_units coefficient_by coefficient_ column_ complex_number component \
+    above accepts accepts_with at_ at_entry below beside blocks check by_check by_check_with by_point by_shapes by_units coefficient_by coefficient_ column_ complex_number component \
     Is IsComplex Takes Turns \
     coordinate d_ declared det_ differ_in_unit diagonal_ dt_ equal fits follows fraction function_ given hurwitz_ identity_ imaginary \
     inverse_ invalid jacobian minus_ negative non_negative non_zero not_above null_ over_ parameter part plus_ positive \

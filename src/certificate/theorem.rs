@@ -27,6 +27,8 @@ pub struct Theorem {
 pub enum Rule {
     /// By the checker of what always holds.
     Check,
+    /// By that checker, which is told what is squared.
+    Squares(String),
     /// At an assignment, with the places of functions.
     Point(String, String),
     /// By the units of two expressions.
@@ -40,6 +42,7 @@ impl Theorem {
     pub(super) fn proof(&self) -> String {
         match &self.rule {
             Rule::Check => "by_check".into(),
+            Rule::Squares(squared) => format!("by_check_with {squared}"),
             Rule::Point(point, references) => format!("by_point {point} {references}"),
             Rule::Units => "by_units".into(),
             Rule::Shapes => "by_shapes".into(),
@@ -50,6 +53,7 @@ impl Theorem {
     pub(super) fn trial(&self) -> String {
         match &self.rule {
             Rule::Check => "accepts".into(),
+            Rule::Squares(squared) => format!("accepts_with {squared}"),
             Rule::Point(point, references) => format!("accepts_point {point} {references}"),
             Rule::Units => "accepts_units".into(),
             Rule::Shapes => "by_shapes".into(),

@@ -193,3 +193,25 @@ fn coq_knows_units() {
         .collect();
     assert_eq!(accepted, ["claim_1", "claim_2"], "{said}");
 }
+
+/// A difference that is a square has a sign, and a root that is a fraction refutes.
+#[test]
+fn coq_follows_squares_and_roots() {
+    let Some(folder) = folder("squares") else {
+        return;
+    };
+    let own = super::written(
+        "parameter a, b, c : 1\nparameter s : 1 >= 0\nclaim (1): a^4 + b^4 >= 2*a^2*b^2\n\
+         claim (2): (a + b)^2*s >= (4*a*b - 1)*s + s\nrefute (3): sqrt(a^2 + b^2) == a + b\nrefute (4): a^2 + b^2 >= 3*a*b",
+    );
+    let said = compiled(&folder, "Probe.v", &own.probe(true));
+    let accepted: Vec<&str> = said
+        .lines()
+        .filter_map(|line| line.strip_prefix("accepted "))
+        .collect();
+    assert_eq!(
+        accepted,
+        ["claim_1", "claim_2", "claim_3", "claim_4"],
+        "{said}"
+    );
+}
