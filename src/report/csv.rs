@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::stability::comparison::{Cause, Comparison, angle};
+use crate::stability::comparison::{Comparison, angle};
 use crate::stability::forces::Coefficients;
 use crate::stability::system::critical::Ranges;
 use crate::stability::validity::{Form, Validity};
@@ -51,7 +51,7 @@ pub fn comparison(comparison: &Comparison) -> String {
         heading.extend(["twist_deg", "balance"].map(String::from));
     }
     let errors = comparison.within.as_ref();
-    let errors = errors.filter(|own| own.cause == Cause::Errors);
+    let errors = errors.filter(|own| own.has_errors());
     if errors.is_some() {
         heading.extend(["within_errors", "s3d_least", "s3d_most"].map(String::from));
     }

@@ -1,7 +1,7 @@
 //! The stability of a case as a figure: S by every method against the angle.
 
 use crate::stability::case::Case;
-use crate::stability::comparison::{Cause, Comparison, Point};
+use crate::stability::comparison::{Comparison, Point};
 
 use super::figure::{Curve, Figure, Fill, Patch, Stroke};
 use super::stability::sweep;
@@ -36,7 +36,7 @@ pub fn figure(comparison: &Comparison) -> Figure {
     Figure {
         title: titled("Stability by every method", &comparison.case),
         subtitle: set(&comparison.case, &sweep(comparison)),
-        x_label: "angle of attack α (degrees)".into(),
+        x_label: angle_axis(&comparison.case),
         is_angle: true,
         y_label: format!("{symbol} = −4m max Re λ / (ρDU), dimensionless"),
         shaded: Some("unstable".into()),
@@ -52,7 +52,7 @@ pub fn figure(comparison: &Comparison) -> Figure {
 /// Where S lies within the errors of the coefficients, in pieces without a gap.
 fn band(comparison: &Comparison) -> Option<Patch> {
     let within = comparison.within.as_ref();
-    let within = within.filter(|own| own.cause == Cause::Errors)?;
+    let within = within.filter(|own| own.has_errors())?;
     let values = || comparison.points.iter().map(|point| point.exact.value);
     let (least, most) = (
         values().fold(f64::INFINITY, f64::min),
@@ -80,6 +80,15 @@ fn band(comparison: &Comparison) -> Option<Patch> {
         fill: Fill::Dark,
         pieces,
     })
+}
+
+/// The angle along an axis: a mean twist changes the angle of attack itself.
+pub fn angle_axis(case: &Case) -> String {
+    let before = match case.is_twisted() {
+        true => " before the mean twist",
+        false => "",
+    };
+    format!("angle of attack α{before} (degrees)")
 }
 
 /// What a figure shows, and of which case.

@@ -103,13 +103,12 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
         points.extend(numbered.map(|(point, modes)| Point { modes, ..point }));
     }
     let within = within::within(case, table, &angles, &section)?;
-    let scattered = within.as_ref();
-    let scattered = scattered.and_then(|own| own.remark(case, table, &points));
-    // What overturns verdicts is said first.
-    let mut remarks: Vec<Remark> = scattered
-        .or_else(|| case.scatter_remark(table))
-        .into_iter()
-        .collect();
+    // What overturns verdicts is said first; scatter that turns none is not said.
+    let scattered = match &within {
+        Some(own) if !own.has_errors() => own.remark(case, table, &points),
+        _ => case.scatter_remark(table),
+    };
+    let mut remarks: Vec<Remark> = scattered.into_iter().collect();
     remarks.extend(self::remarks(table));
     remarks.extend(case.remarks());
     remarks.extend(weakened(case, &section, &points));
@@ -174,10 +173,14 @@ fn weakened<'a>(
             slopes.reduce(|one, other| if other.0 < one.0 { other } else { one })?;
         let change = with_more_damping(&section_at(steepest.angle).ok()?, coordinate)?
             - steepest.exact.value;
-        let change = match change.abs() {
-            size if size < 0.01 => "changes it by less than 0.01".to_string(),
-            size if change < 0.0 => format!("lowers it by {size:.2}"),
-            size => format!("raises it by {size:.2}, since only a little lowers it"),
+        // What leaves S and the verdict as they are is not said.
+        if change.abs() < SMALL_CHANGE.min(steepest.exact.value.abs()) {
+            return None;
+        }
+        let size = rounded_change(change);
+        let change = match change < 0.0 {
+            true => format!("lowers it by {size}"),
+            false => format!("raises it by {size}, since only a little lowers it"),
         };
         let ranges = range::ranges(points, |point| slope(point).is_some());
         Some(Remark {
@@ -191,6 +194,17 @@ fn weakened<'a>(
         })
     };
     case.parameters.free.as_slice().iter().filter_map(remark)
+}
+
+/// Changes of S below this are not seen in a figure.
+const SMALL_CHANGE: f64 = 0.01;
+
+/// The size of a change of S: with two decimals, or one digit of what is smaller.
+fn rounded_change(change: f64) -> String {
+    match change.abs() {
+        size if size < SMALL_CHANGE => format!("{size:.0e}"),
+        size => format!("{size:.2}"),
+    }
 }
 
 /// S with a structural damping ratio larger by 0.01.
@@ -215,7 +229,7 @@ impl Comparison {
     }
 
     /// The name of the largest S of all modes: `S_3D`, `S_2D` or `S_1D`, after the free coordinates.
-    pub fn coefficient_name(&self) -> String {
-        format!("S_{}D", self.free().len())
+    pub fn coefficient_name(&self) -> &'static str {
+        self.case.parameters.free.coefficient_name()
     }
 }

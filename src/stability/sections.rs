@@ -2,7 +2,7 @@
 
 use super::case::Case;
 use super::coefficient_table::CoefficientTable;
-use super::coefficient_table::remarks::radians;
+use super::coefficient_table::remarks::mistaken_unit;
 use super::error::StabilityError;
 use super::forces::Coefficients;
 use super::input::{InputError, Place};
@@ -126,8 +126,8 @@ impl<'a> Sections<'a> {
     }
 
     fn outside(&self, outside: &OutsideTable, table: &CoefficientTable) -> InputError {
-        let help = match radians(table) {
-            Some(remark) => remark.what,
+        let help = match mistaken_unit(table) {
+            Some(remark) => remark.to_string(),
             None if table.is_circle() => "complete the table".to_string(),
             None => format!(
                 "shorten the sweep in {}, complete the table, or write `mirror = true` if it is half of what is its own \

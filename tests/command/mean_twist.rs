@@ -145,6 +145,11 @@ fn figures_and_the_page_are_those_of_the_twisted_section() {
     let out = case.replace("detuned.toml", "figures");
     let (status, _, err) = run(&["figures", &case, "--out", &out]);
     assert_eq!(status, Some(0), "{err}");
+    for name in ["stability", "coefficients", "frequencies_of_modes"] {
+        let path = std::path::Path::new(&out).join(format!("{name}.svg"));
+        let figure = std::fs::read_to_string(path).expect("a figure");
+        assert!(figure.contains("before the mean twist"), "{name}");
+    }
 }
 
 #[test]

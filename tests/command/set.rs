@@ -383,3 +383,29 @@ fn every_report_says_what_coefficients_stand_over() {
         "{err}"
     );
 }
+
+#[test]
+fn a_quantity_that_is_given_as_an_option_is_shown_as_a_setting() {
+    let path = case("option");
+    for (arguments, cure) in [
+        (
+            &["stability", &path, "--alpha", "30"][..],
+            "--set alpha_deg=30",
+        ),
+        (&["speeds", &path, "--alpha=30"], "--set alpha_deg=VALUE"),
+        (&["validity", &path, "--U", "12"], "--set U=12"),
+        (&["sweep", &path, "--alpha_deg", "3"], "--set alpha_deg=3"),
+    ] {
+        let (status, _, err) = run(arguments);
+        let is_told = err.contains(&format!("a quantity of a case is set by `{cure}`"));
+        assert!(status == Some(2) && is_told, "{arguments:?}: {err}");
+    }
+    // What sets nothing, or is no quantity, has the usual message.
+    for arguments in [
+        &["audit", "--alpha", "30"][..],
+        &["stability", &path, "--beta", "3"],
+    ] {
+        let (status, _, err) = run(arguments);
+        assert!(status == Some(2) && !err.contains("is set by"), "{err}");
+    }
+}

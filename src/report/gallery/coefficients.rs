@@ -2,7 +2,7 @@
 
 use crate::report::figure::{Curve, Figure, Stroke};
 use crate::report::stability::sweep;
-use crate::report::stability_figure::{set, titled};
+use crate::report::stability_figure::{angle_axis, set, titled};
 use crate::stability::coefficient_table::{CoefficientTable, Row};
 use crate::stability::comparison::Comparison;
 use crate::stability::forces::Coefficients;
@@ -39,7 +39,7 @@ pub(super) fn coefficients(
     let case = &comparison.case;
     let base = Figure {
         subtitle: set(case, &sweep(comparison)),
-        x_label: "angle of attack α (degrees)".into(),
+        x_label: angle_axis(case),
         is_angle: true,
         ..Figure::default()
     };

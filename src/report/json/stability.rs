@@ -6,7 +6,7 @@ use crate::report::stability::{frequency_in_hertz, reasons};
 use crate::stability::case::Case;
 use crate::stability::coefficient_table::reference::Reference;
 use crate::stability::comparison::{
-    Agreement, AngleRange, Cause, Comparison, FollowedMode, Point, UnstableRange, Value, angle,
+    Agreement, AngleRange, Comparison, FollowedMode, Point, UnstableRange, Value, angle,
 };
 use crate::stability::input::Remark;
 use crate::stability::tolerance::Tolerance;
@@ -143,7 +143,7 @@ pub fn comparison(comparison: &Comparison) -> String {
 
 fn tolerance(comparison: &Comparison, place: usize) -> Option<Tolerance> {
     let within = comparison.within.as_ref();
-    let within = within.filter(|own| own.cause == Cause::Errors)?;
+    let within = within.filter(|own| own.has_errors())?;
     within.tolerances.get(place).copied()
 }
 
