@@ -126,15 +126,15 @@ pub fn sweep(comparison: &Comparison) -> String {
         Some((last, others)) => format!("{} and {last} are free", others.join(", ")),
         None => String::new(),
     };
-    let angles = match (comparison.points.first(), comparison.points.last()) {
-        (Some(first), Some(last)) if comparison.points.len() > 1 => format!(
+    let angles = match comparison.at_all_angles().as_slice() {
+        [(first, _), .., (last, _)] => format!(
             "{} angles from {}° to {}°",
-            comparison.points.len(),
-            angle(first.angle),
-            angle(last.angle)
+            comparison.angle_count(),
+            angle(*first),
+            angle(*last)
         ),
-        (Some(only), _) => format!("at {}°", angle(only.angle)),
-        _ => String::new(),
+        [(only, _)] => format!("at {}°", angle(*only)),
+        [] => String::new(),
     };
     format!(
         "{angles}; {free}; U = {} m/s{}",
@@ -232,9 +232,17 @@ pub fn conclusion(comparison: &Comparison) -> String {
             format!("; not decided ({}), because {reasons}", listed(ranges))
         }
     };
+    let without = match comparison.without_balance.len() {
+        0 => String::new(),
+        count => format!(
+            "; no verdict at {count} of {} angles, which have no certain mean twist",
+            comparison.angle_count()
+        ),
+    };
+    let undecided = undecided + &without;
     let does = what_it_does(comparison);
     match (comparison.unstable.len(), comparison.undecided.len()) {
-        (0, 0) => format!("No angle of the sweep is unstable: {least}."),
+        (0, 0) if without.is_empty() => format!("No angle of the sweep is unstable: {least}."),
         (0, _) => format!("No angle of the sweep is unstable for certain: {least}{undecided}."),
         (1, _) => format!("The section {does} in one range of angles: {least}{undecided}."),
         (count, _) => {

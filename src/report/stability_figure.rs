@@ -12,7 +12,7 @@ pub fn figure(comparison: &Comparison) -> Figure {
     let curve = |label: &str, stroke, value: &dyn Fn(&Point) -> Option<f64>| Curve {
         label: label.into(),
         stroke,
-        pieces: pieces(&comparison.points, value),
+        pieces: pieces(comparison, value),
     };
     let curves = vec![
         curve("state matrix", Stroke::Solid, &|point| {
@@ -112,16 +112,20 @@ pub fn name(case: &Case) -> &str {
 }
 
 /// The points that have a value, in pieces without a gap.
-fn pieces(points: &[Point], value: &dyn Fn(&Point) -> Option<f64>) -> Vec<Vec<(f64, f64)>> {
-    let groups = points.chunk_by(|one, other| value(one).is_some() == value(other).is_some());
-    let piece = |group: &[Point]| -> Vec<(f64, f64)> {
-        let pairs = group.iter();
-        pairs
-            .filter_map(|point| Some((point.angle, value(point)?)))
-            .collect()
-    };
-    groups
-        .map(piece)
-        .filter(|piece| !piece.is_empty())
-        .collect()
+pub fn pieces(
+    comparison: &Comparison,
+    value: &dyn Fn(&Point) -> Option<f64>,
+) -> Vec<Vec<(f64, f64)>> {
+    let all = comparison.at_all_angles().into_iter();
+    let all: Vec<_> = all
+        .map(|(angle, point)| Some((angle, value(point?)?)))
+        .collect();
+    without_gaps(&all)
+}
+
+/// Points in pieces without those that are not there.
+pub fn without_gaps(points: &[Option<(f64, f64)>]) -> Vec<Vec<(f64, f64)>> {
+    let pieces = points.split(|point| point.is_none());
+    let pieces = pieces.map(|piece| piece.iter().copied().flatten().collect::<Vec<_>>());
+    pieces.filter(|piece| !piece.is_empty()).collect()
 }

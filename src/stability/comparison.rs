@@ -13,6 +13,7 @@ pub use following::FollowedMode;
 pub(super) use following::{Following, Modes, modes_of};
 pub use point::Point;
 pub use range::{AngleRange, UnstableRange, angle, listed};
+pub use twist::NoBalance;
 pub use value::Value;
 pub use within::{Cause, Open, Within};
 
@@ -22,7 +23,6 @@ use super::case::Case;
 use super::coefficient_table::CoefficientTable;
 use super::coefficient_table::remarks::remarks;
 use super::coordinate::Coordinate;
-use super::error::StabilityError;
 use super::input::{InputError, Place, Remark};
 use super::model::Model;
 use super::section::Section;
@@ -36,6 +36,8 @@ pub struct Comparison {
     pub case: Case,
     /// The angles in order, with the answers of all methods.
     pub points: Vec<Point>,
+    /// The other angles, at which there is no certain mean twist, and so no section.
+    pub without_balance: Vec<NoBalance>,
     /// Where the section gallops or diverges for certain.
     pub unstable: Vec<UnstableRange>,
     /// Where it is neither stable nor unstable for certain.
@@ -80,19 +82,17 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
     let sections = Sections::new(case, table)?;
     let angles = case.angles.values();
     let section = |angle: f64| Ok(sections.at(angle, table)?.0);
-    let answers = |angles: &[f64]| -> Result<Vec<(Point, Modes)>, InputError> {
-        let found = angles.iter().map(|angle| sections.at(*angle, table));
-        let (sections, twists): (Vec<_>, Vec<_>) =
-            found.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
-        let found = point::points(angles, &sections, &twists);
-        found.map_err(|(angle, error)| impossible(case, angle, &error))
-    };
+    let places: Vec<(usize, f64)> = angles.iter().copied().enumerate().collect();
+    let answers = |places: &[(usize, f64)]| answers(places, &sections, table);
     let mut points = Vec::with_capacity(angles.len());
+    let mut without_balance = Vec::new();
     let mut following = Following::default();
-    for block in angles.chunks(BLOCK) {
+    for block in places.chunks(BLOCK) {
         let found: Vec<_> = block.par_chunks(AT_ONCE).map(answers).collect();
         // The first error, not the one that was found first.
-        let found: Vec<_> = found.into_iter().collect::<Result<_, _>>()?;
+        let found: Vec<Answers> = found.into_iter().collect::<Result<_, _>>()?;
+        let (found, none): (Vec<_>, Vec<_>) = found.into_iter().unzip();
+        without_balance.extend(none.into_iter().flatten());
         let (own, modes): (Vec<Point>, Vec<Modes>) = found.into_iter().flatten().unzip();
         let numbers = following.numbers(&modes);
         let numbered = modes
@@ -102,17 +102,26 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
         let numbered = own.into_iter().zip(numbered);
         points.extend(numbered.map(|(point, modes)| Point { modes, ..point }));
     }
-    let within = within::within(case, table, &angles, &section)?;
+    if let ([], [first, ..]) = (points.as_slice(), without_balance.as_slice()) {
+        return Err(sections.without_twist(first.angle, first.reason));
+    }
+    let at: Vec<f64> = points.iter().map(|own| own.angle).collect();
+    let within = within::within(case, table, &at, &section)?;
     // What overturns verdicts is said first; scatter that turns none is not said.
     let scattered = match &within {
         Some(own) if !own.has_errors() => own.remark(case, table, &points),
         _ => case.scatter_remark(table),
     };
     let mut remarks: Vec<Remark> = scattered.into_iter().collect();
+    remarks.extend(twist::remarks_without_balance(
+        case,
+        &without_balance,
+        angles.len(),
+    ));
     remarks.extend(self::remarks(table));
     remarks.extend(case.remarks());
     remarks.extend(weakened(case, &section, &points));
-    remarks.extend(twist::remarks(case, &points));
+    remarks.extend(twist::remarks(case, &points, angles.len()));
     let corners = match case.is_twisted() {
         true => 0,
         false => sections.curves().corners(&angles),
@@ -134,6 +143,7 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
         undecided: range::undecided(&points),
         agreements: agreement::agreements(&points),
         points,
+        without_balance,
         reading: format!(
             "{}: {}; {}",
             table.file(),
@@ -144,13 +154,34 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
     })
 }
 
-fn impossible(case: &Case, angle: f64, error: &StabilityError) -> InputError {
-    let what = format!("at {angle}°: {error}");
-    InputError::new(
-        Place::file(&case.file),
-        what,
-        "correct the case or its table",
-    )
+/// The points at some angles, and those without a certain mean twist.
+type Answers = (Vec<(Point, Modes)>, Vec<NoBalance>);
+
+/// What all methods say at some angles with their places in the sweep.
+fn answers(
+    places: &[(usize, f64)],
+    sections: &Sections<'_>,
+    table: &CoefficientTable,
+) -> Result<Answers, InputError> {
+    let (mut at, mut found, mut twists) = (Vec::new(), Vec::new(), Vec::new());
+    let mut without = Vec::new();
+    for &(place, angle) in places {
+        match sections.found(angle, table)? {
+            Ok((section, twist)) => {
+                at.push((place, angle));
+                found.push(section);
+                twists.push(twist);
+            }
+            Err(reason) => without.push(NoBalance {
+                place,
+                angle,
+                reason,
+            }),
+        }
+    }
+    let points = point::points(&at, &found, &twists);
+    let impossible = |(angle, error)| sections.impossible(angle, &error);
+    Ok((points.map_err(impossible)?, without))
 }
 
 /// Where structural damping does harm, a remark for each coordinate.
@@ -221,6 +252,22 @@ impl Comparison {
     pub fn mode_count(&self) -> usize {
         let labels = self.points.iter().flat_map(|point| &point.modes);
         labels.map(|mode| mode.label).max().unwrap_or(0)
+    }
+
+    /// How many angles the sweep has.
+    pub fn angle_count(&self) -> usize {
+        self.points.len() + self.without_balance.len()
+    }
+
+    /// All angles of the sweep in degrees, with the point there; `None` where there is no certain mean twist.
+    pub fn at_all_angles(&self) -> Vec<(f64, Option<&Point>)> {
+        let with = self.points.iter().map(|own| (own.angle, Some(own)));
+        let mut all: Vec<_> = with.collect();
+        for own in &self.without_balance {
+            // They are in order, so that each finds those before it in their places.
+            all.insert(own.place, (own.angle, None));
+        }
+        all
     }
 
     /// The free coordinates, in order.

@@ -233,7 +233,7 @@ fn scatter_that_may_turn_a_verdict_is_told() {
     // Where it turns nothing it is not said.
     let calm = ["--set", "U=1", "--set", "alpha_deg=60"];
     let (_, out, _) = run(&[&["stability", case][..], &calm].concat());
-    assert!(!out.contains("scatter"), "{out}");
+    assert!(!out.contains("scatter about"), "{out}");
     // Other commands do not look, and say how much it is.
     let (_, _, err) = run(&["modes", case, "--alpha", "10"]);
     assert!(err.contains("CL by 2.0e-2, dCL by 8.0e-1"), "{err}");
