@@ -151,7 +151,9 @@ pub fn warn_of(case: &Case, table: &CoefficientTable) {
 pub fn warn_without_errors(case: &Case, table: &CoefficientTable) {
     warn_of(case, table);
     if table.has_errors() {
-        complain("Errors of the coefficients are not considered here: `sextic stability` does.\n");
+        complain(
+            "Errors of the coefficients are not considered here, but by `sextic stability`.\n",
+        );
     }
 }
 

@@ -14,7 +14,7 @@ use crate::report::{json, text};
 use crate::stability::case::Case;
 use crate::stability::closed_form::{ClosedForm, closed_form};
 use crate::stability::coefficient_table::CoefficientTable;
-use crate::stability::comparison::Open;
+use crate::stability::comparison::{Open, angle as shown_angle};
 use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
 use crate::stability::error::StabilityError;
 use crate::stability::exact_modes::ExactModes;
@@ -210,7 +210,10 @@ fn at_its_angle(
     if case.angles.to > angle {
         return Err(wrong(
             &format!("{} has several angles of attack", case.file),
-            "name one of them in degrees: `--alpha 68.5`",
+            &format!(
+                "name one of them in degrees: `--alpha {}`",
+                shown_angle(middle(case))
+            ),
         ));
     }
     let refuse = |error| super::case::refuse(&error);
@@ -230,6 +233,12 @@ fn at_its_angle(
         within_errors: errors.map(|own| own.tolerance(angle, &section)),
     };
     Ok((section, reading, twist))
+}
+
+/// An angle in the middle of a sweep.
+fn middle(case: &Case) -> f64 {
+    let angles = case.angles.values();
+    angles[angles.len() / 2]
 }
 
 fn impossible(error: StabilityError) -> Outcome {

@@ -118,7 +118,7 @@ or a number of which no digit is certain):
   twist_deg, balance, with a mean twist: only, several (there are other balances), jump (the twist
   may not have grown steadily with the wind) or none (no certain twist, and no other number)
   within_errors, s3d_least, s3d_most, where the coefficients have errors: the verdict for all of
-  them, and between which numbers S is then
+  them, and between which numbers S is then (empty where they are too large to tell the modes apart)
 
 Exit status:
   0  the case was computed, whether the section gallops or not

@@ -179,7 +179,10 @@ fn what_cannot_be_set_is_said() {
         (&["stability", &path, "--set", "r=0.001"], "--set r = 0.001"),
         (&["stability", &narrow, "--set", "alpha_deg=300"], "outside"),
         (&["stability", &path, "--set", "U=1e999"], "U=1e999"),
-        (&["modes", &path], "has several angles of attack"),
+        (
+            &["modes", &path],
+            "name one of them in degrees: `--alpha 90`",
+        ),
         (&["modes", &narrow, "--alpha", "300"], "outside"),
         (
             &["modes", &path, "--alpha", "1", "--set", "alpha_deg=2"],
