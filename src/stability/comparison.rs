@@ -72,7 +72,8 @@ const AT_ONCE: usize = 64;
 ///
 /// # Errors
 ///
-/// If there is no wind, if an angle is outside of the table, or if a section has no answer.
+/// If there is no wind, if an angle is outside of the table, if a section has no answer, or if none has a certain mean
+/// twist.
 pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, InputError> {
     let file = Place::file(&case.file);
     if case.parameters.wind_speed == 0.0 {

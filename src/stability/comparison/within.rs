@@ -47,9 +47,7 @@ impl Within {
             .collect();
         ranges(points, |point| angles.contains(&point.angle))
     }
-}
 
-impl Within {
     /// That the scatter of the table alone may turn verdicts, if it may.
     pub(super) fn remark(
         &self,
