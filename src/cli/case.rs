@@ -26,8 +26,8 @@ pub struct Overrides {
     pub set: Vec<Fixed>,
 }
 
-/// A case and its table from the disk, with what is set in place of it, for a command that writes to `outputs`: what
-/// is odd about them is written to standard error.
+/// A case and its table from the disk, with what is set in place of it, for a command that writes to `outputs` and does not
+/// consider errors of the coefficients: what is odd about them is written to standard error.
 ///
 /// # Errors
 ///
@@ -38,7 +38,7 @@ pub fn case_and_table(
     outputs: &[PathBuf],
 ) -> Result<(Case, CoefficientTable), Outcome> {
     let (case, table, _) = set_case_and_files(path, set, outputs)?;
-    warn_of(&case, &table);
+    warn_without_errors(&case, &table);
     Ok((case, table))
 }
 
@@ -140,14 +140,20 @@ pub fn refuse(error: &InputError) -> Outcome {
     wrong(&format!("{}: {}", error.place, error.what), &error.help)
 }
 
-/// Writes what is odd about a case and its table to standard error, for a command that does not consider errors of the
-/// coefficients.
+/// Writes what is odd about a case and its table to standard error.
 pub fn warn_of(case: &Case, table: &CoefficientTable) {
     warn(case.scatter_remark(table).as_slice());
     warn(&remarks(table));
     warn(&case.remarks());
+}
+
+/// The same, for a command that does not consider errors of the coefficients.
+pub fn warn_without_errors(case: &Case, table: &CoefficientTable) {
+    warn_of(case, table);
     if table.has_errors() {
-        complain("Errors of the coefficients are not considered here: `sextic stability` does.\n");
+        complain(
+            "Errors of the coefficients are not considered here, but by `sextic stability`.\n",
+        );
     }
 }
 

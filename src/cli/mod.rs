@@ -40,6 +40,8 @@ mod sweep;
 #[cfg(feature = "stability")]
 mod system;
 #[cfg(feature = "stability")]
+mod usage;
+#[cfg(feature = "stability")]
 mod validity;
 #[cfg(feature = "stability")]
 mod view;
@@ -141,7 +143,10 @@ standard input. NO_COLOR is honoured.";
 
 /// Runs the command that the arguments of the process ask for.
 pub fn run() -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = Arguments::try_parse();
+    #[cfg(feature = "stability")]
+    let arguments = arguments.map_err(usage::with_cure);
+    let arguments = arguments.unwrap_or_else(|error| error.exit());
     arguments.color.apply();
     let outcome = match arguments.command {
         Command::New(arguments) => new::run(&arguments),

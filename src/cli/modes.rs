@@ -9,12 +9,12 @@ use sextic_codegen::language::literal::Decimal;
 
 use crate::algebra::number::Rational;
 use crate::compile::fixed::{Fixed, number_of};
-use crate::report::modes::{ModeFound, ModesFound, Moving, Reading, Subject};
+use crate::report::modes::{DampingCoefficient, ModeFound, ModesFound, Moving, Reading, Subject};
 use crate::report::{json, text};
 use crate::stability::case::Case;
 use crate::stability::closed_form::{ClosedForm, closed_form};
 use crate::stability::coefficient_table::CoefficientTable;
-use crate::stability::comparison::Open;
+use crate::stability::comparison::{Open, angle as shown_angle};
 use crate::stability::eigenvalue::{Eigenvalue, Spectrum};
 use crate::stability::error::StabilityError;
 use crate::stability::exact_modes::ExactModes;
@@ -33,7 +33,7 @@ use crate::stability::verdict::{Doubt, Verdict, exact_verdict, verdict};
 use crate::stability::{companion, exact_modes, state_matrix};
 
 use super::Outcome;
-use super::case::case_and_table;
+use super::case::{set_case_and_files, warn_of};
 use super::generate::{FixedParser, unknown};
 use super::output::{Results, finish, wrong};
 use super::system::{Chosen, Which, numbers, refuse};
@@ -123,7 +123,8 @@ Members of --format json:
   method       what found the eigenvalues: state, too, where it stands in for exact
   eigenvalues  re and im in 1/s; error, the bound above, in 1/s, or null where there is none;
                with --shapes also shape: x, y and r_theta, each with re and im, or null
-  s3d          -4 m max(re)/(rho D U), or null without wind; s3d_error, the bound of its error
+  s3d          -4 m max(re)/(rho D U), of the coordinates that are free, or null without wind;
+               s3d_error, the bound of its error
   verdict      stable, unstable or undecided, with its reason
   diverges     whether the stiffness of the turn is below 0: else what is unstable gallops
   coefficients of a case: C_D, C_L, C_M and their derivatives per radian, as the section has them
@@ -188,7 +189,8 @@ fn of_case(arguments: &Arguments, path: &Path) -> Result<ModesFound, Outcome> {
         ));
     }
     let set = arguments.set.iter().chain(&arguments.alpha).cloned();
-    let (mut case, table) = case_and_table(path, &set.collect::<Vec<_>>(), &[])?;
+    let (mut case, table, _) = set_case_and_files(path, &set.collect::<Vec<_>>(), &[])?;
+    warn_of(&case, &table);
     case.parameters.aerodynamic_stiffness |= arguments.aerodynamic_stiffness;
     let (section, reading, twist) = at_its_angle(&case, &table)?;
     let found = by_method(arguments, &section, &ExactSection::from(&section))?;
@@ -208,7 +210,10 @@ fn at_its_angle(
     if case.angles.to > angle {
         return Err(wrong(
             &format!("{} has several angles of attack", case.file),
-            "name one of them in degrees: `--alpha 68.5`",
+            &format!(
+                "name one of them in degrees: `--alpha {}`",
+                shown_angle(middle(case))
+            ),
         ));
     }
     let refuse = |error| super::case::refuse(&error);
@@ -228,6 +233,12 @@ fn at_its_angle(
         within_errors: errors.map(|own| own.tolerance(angle, &section)),
     };
     Ok((section, reading, twist))
+}
+
+/// An angle in the middle of a sweep.
+fn middle(case: &Case) -> f64 {
+    let angles = case.angles.values();
+    angles[angles.len() / 2]
 }
 
 fn impossible(error: StabilityError) -> Outcome {
@@ -415,13 +426,13 @@ fn by_form(
     let damping = match bounded {
         Some(eigenvalues) => {
             let damping = Spectrum { eigenvalues }.damping_coefficient(model.section());
-            damping.map(|(damping, error)| (damping, Some(error)))
+            damping.map(|(value, error)| (value, Some(error)))
         }
         None => {
             let damping = model
                 .section()
                 .damping_coefficient(form.largest_real_part());
-            damping.map(|damping| (damping, None))
+            damping.map(|value| (value, None))
         }
     };
     let mode = |(value, error)| ModeFound {
@@ -434,13 +445,23 @@ fn by_form(
         method,
         is_formula: true,
         modes: pairs.into_iter().map(mode).collect(),
-        damping_coefficient: damping,
+        damping_coefficient: damping.map(|(value, error)| coefficient(model, value, error)),
         verdict,
         diverges: false,
         reading: None,
         warnings: form.warnings.iter().map(ToString::to_string).collect(),
         twist: None,
     })
+}
+
+/// S of a section, by the name that its free coordinates give it.
+fn coefficient(model: &Model, value: f64, error: Option<f64>) -> DampingCoefficient {
+    let free = &model.section().parameters().free;
+    DampingCoefficient {
+        name: free.coefficient_name(),
+        value,
+        error,
+    }
 }
 
 fn by_spectrum(
@@ -455,7 +476,10 @@ fn by_spectrum(
     let mut warnings = Vec::new();
     let is_open = matches!(verdict, Verdict::Undecided(doubt) if doubt != Doubt::Neutral);
     if is_open && damping.is_some_and(|(damping, error)| damping.abs() <= error) {
-        warnings.push("S_3D is smaller than its error: its sign is not certain".to_string());
+        let name = section.parameters().free.coefficient_name();
+        warnings.push(format!(
+            "{name} is smaller than its error: its sign is not certain"
+        ));
     }
     let places = places(spectrum);
     if with_shapes && places.iter().any(|(_, place)| place.is_some()) {
@@ -483,7 +507,7 @@ fn by_spectrum(
         method,
         is_formula: false,
         modes: places.into_iter().map(mode).collect(),
-        damping_coefficient: damping.map(|(damping, error)| (damping, Some(error))),
+        damping_coefficient: damping.map(|(value, error)| coefficient(model, value, Some(error))),
         verdict,
         diverges: false,
         reading: None,

@@ -94,7 +94,8 @@ it, each rho D U^2 C/2; the moment is about O in the sense of theta, rho D^2 U^2
 
 With mean_twist = true angles are those without wind. The section is looked at where the spring of
 the turn and the moment at the twisted angle are in balance: at the first balance that a rising
-wind reaches, which is certain within 4e-12 rad.
+wind reaches, which is certain within 4e-12 rad. An angle without one has no verdict, which is said
+with its reason; the other angles are computed.
 
 Modes are numbered by their frequency at the first angle, the highest first, and followed by their
 shapes. Where strong damping or stiffness splits a pair of eigenvalues into two real ones, one of
@@ -114,10 +115,10 @@ or a number of which no digit is certain):
   s_mode_1, frequency_hz_mode_1 and so on: S and frequency of every mode
   C_D, C_L, C_M, dC_D, dC_L, dC_M: the coefficients as they are read between the rows of the table,
   and their derivatives per radian
-  twist_deg, balance, with a mean twist: only, several (there are other balances) or jump (the
-  twist may not have grown steadily with the wind)
+  twist_deg, balance, with a mean twist: only, several (there are other balances), jump (the twist
+  may not have grown steadily with the wind) or none (no certain twist, and no other number)
   within_errors, s3d_least, s3d_most, where the coefficients have errors: the verdict for all of
-  them, and between which numbers S is then
+  them, and between which numbers S is then (empty where they are too large to tell the modes apart)
 
 Exit status:
   0  the case was computed, whether the section gallops or not

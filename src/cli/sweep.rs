@@ -20,7 +20,7 @@ use crate::stability::system::sweep::SweepAxis;
 use crate::stability::variable::Variable;
 
 use super::Outcome;
-use super::case::{refuse, set_case_and_files, warn_of};
+use super::case::{refuse, set_case_and_files, warn_without_errors};
 use super::generate::FixedParser;
 use super::output::wrong;
 use super::system::{Which, is_document, numbers, with};
@@ -211,7 +211,7 @@ fn of_case(arguments: &Arguments, path: &Path) -> Outcome {
         Ok(axes) => axes,
         Err(message) => return wrong(&message, FORM),
     };
-    warn_of(&case, &table);
+    warn_without_errors(&case, &table);
     let methods = Methods {
         exact: arguments.method.contains(&Method::State),
         companion: arguments.method.contains(&Method::Companion),

@@ -31,6 +31,9 @@ pub struct Arguments {
 }
 
 const EXAMPLES: &str = "\
+The forms are of sections whose x, y and theta are free, without aerodynamic stiffness and mean
+twist. For other cases `sextic stability` has the state matrix, which needs none of them.
+
 Examples:
   sextic validity case.toml
   sextic validity case.toml --plot map.svg

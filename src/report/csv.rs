@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::stability::comparison::{Cause, Comparison, angle};
+use crate::stability::comparison::{Comparison, angle};
 use crate::stability::forces::Coefficients;
 use crate::stability::system::critical::Ranges;
 use crate::stability::validity::{Form, Validity};
@@ -17,7 +17,7 @@ use super::stability::{bound, certain, decimal};
 ///
 /// Then the coefficients and their derivatives per radian, as the curves through the table have them.
 ///
-/// Where the case has a mean twist: that in degrees, and what is known of its balance.
+/// Where the case has a mean twist: that in degrees, and what is known of its balance; where there is none, no other number.
 /// Where the coefficients have errors: what is certain for all within them, and between which numbers S is then.
 ///
 /// Numbers have the decimals that are certain, nine at most.
@@ -51,12 +51,17 @@ pub fn comparison(comparison: &Comparison) -> String {
         heading.extend(["twist_deg", "balance"].map(String::from));
     }
     let errors = comparison.within.as_ref();
-    let errors = errors.filter(|own| own.cause == Cause::Errors);
+    let errors = errors.filter(|own| own.has_errors());
     if errors.is_some() {
         heading.extend(["within_errors", "s3d_least", "s3d_most"].map(String::from));
     }
     let mut text = heading.join(",") + "\n";
-    for (place, point) in comparison.points.iter().enumerate() {
+    let mut tolerances = errors.into_iter().flat_map(|own| &own.tolerances);
+    for (at, point) in comparison.at_all_angles() {
+        let Some(point) = point else {
+            text += &(without_balance(at, &heading) + "\n");
+            continue;
+        };
         let critical = point.critical();
         let optional = |cell: Option<String>| cell.unwrap_or_default();
         let mut cells = vec![
@@ -87,8 +92,7 @@ pub fn comparison(comparison: &Comparison) -> String {
             ));
             cells.push(optional(twist.map(|own| own.word().to_string())));
         }
-        if let Some(within) = errors {
-            let own = within.tolerances[place];
+        if let Some(own) = tolerances.next() {
             cells.push(own.certainty.name().to_string());
             // Rounded outwards.
             let end = |own: f64, round: fn(f64) -> f64| decimal(round(own * 1e6) / 1e6, 6);
@@ -101,6 +105,16 @@ pub fn comparison(comparison: &Comparison) -> String {
         text += &(cells.join(",") + "\n");
     }
     text
+}
+
+/// The row of an angle without a certain mean twist: no other cell has a number.
+fn without_balance(at: f64, heading: &[String]) -> String {
+    let cell = |own: &String| match own.as_str() {
+        "alpha_deg" => angle(at).to_string(),
+        "balance" => "none".to_string(),
+        _ => String::new(),
+    };
+    heading.iter().map(cell).collect::<Vec<_>>().join(",")
 }
 
 /// A row a range of wind speeds: the angle, the ends in m/s, and the verdict that is certain between them.

@@ -159,16 +159,11 @@ fn without_wind(case: &Case, gallery: &mut Gallery) {
 }
 
 /// A curve a mode, in pieces where it is not there.
-fn by_mode(points: impl Fn(usize) -> Vec<Option<(f64, f64)>>) -> Vec<Curve> {
-    let curve = |(place, stroke): (usize, Stroke)| {
-        let points = points(place + 1);
-        let pieces = points.split(|point| point.is_none());
-        let pieces = pieces.map(|piece| piece.iter().copied().flatten().collect::<Vec<_>>());
-        Curve {
-            label: format!("mode {}", place + 1),
-            stroke,
-            pieces: pieces.filter(|piece| !piece.is_empty()).collect(),
-        }
+fn by_mode(pieces: impl Fn(usize) -> Vec<Vec<(f64, f64)>>) -> Vec<Curve> {
+    let curve = |(place, stroke): (usize, Stroke)| Curve {
+        label: format!("mode {}", place + 1),
+        stroke,
+        pieces: pieces(place + 1),
     };
     let curves = MODES.into_iter().enumerate().map(curve);
     curves.filter(|curve| !curve.pieces.is_empty()).collect()

@@ -20,8 +20,8 @@ pub struct ModesFound {
     pub is_formula: bool,
     /// One of each pair of conjugates.
     pub modes: Vec<ModeFound>,
-    /// S_3D, with a bound of its error if the method gives one; `None` without wind.
-    pub damping_coefficient: Option<(f64, Option<f64>)>,
+    /// S; `None` without wind.
+    pub damping_coefficient: Option<DampingCoefficient>,
     /// Whether it is stable, with proof, by whichever method the modes are found.
     pub verdict: Verdict,
     /// Whether it diverges, with proof: else what grows gallops.
@@ -32,6 +32,17 @@ pub struct ModesFound {
     pub twist: Option<Twist>,
     /// What speaks against the answer, and what was given in vain.
     pub warnings: Vec<String>,
+}
+
+/// S of the mode with the least damping.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DampingCoefficient {
+    /// `S_3D`, or that of a section with fewer free coordinates.
+    pub name: &'static str,
+    /// The number.
+    pub value: f64,
+    /// A bound of its error, if the method gives one.
+    pub error: Option<f64>,
 }
 
 /// What a table gives at the angle of a section.

@@ -158,12 +158,17 @@ fn at_angles(run: &[(f64, Speeds)], highest: f64) -> String {
         .map(|(stability, word)| format!("{word} {}", listed(run, stability, highest)))
         .collect();
     if words.is_empty() {
-        words.push("stable at every speed".into());
+        words.push(format!("stable at {}", every_speed(highest)));
     }
     if speeds.is_neutral {
         words.push("a real part is 0 at every speed, exactly".into());
     }
     words.join("; ")
+}
+
+/// All speeds that were looked at.
+fn every_speed(highest: f64) -> String {
+    format!("every speed up to {highest} m/s")
 }
 
 /// The ranges of one stability in words, at angles that are [`alike`]: `from 4.2 to 17.9 m/s`, or with the
@@ -190,7 +195,7 @@ pub fn listed(angles: &[(f64, Speeds)], stability: Stability, highest: f64) -> S
             }
         };
         match (own.is_lowest(highest), own.to == highest) {
-            (true, true) => "at every speed".to_string(),
+            (true, true) => format!("at {}", every_speed(highest)),
             (true, false) => format!("up to {} m/s", end(1)),
             (false, true) => format!("from {} m/s on", end(0)),
             (false, false) => format!("from {} to {} m/s", end(0), end(1)),

@@ -6,7 +6,7 @@ use crate::stability::critical_speed::{SpeedRange, Speeds, Stability};
 use super::figure::{Curve, Figure, Fill, Patch, Stroke};
 use super::speeds::{SpeedsFound, alike, has, what_it_does};
 use super::stability::{given, options};
-use super::stability_figure::{set, titled};
+use super::stability_figure::{angle_axis, set, titled};
 
 /// Where the section gallops, shaded, and where it diverges, darker, with the critical speeds around it; what
 /// is not decided is hatched.
@@ -51,7 +51,7 @@ pub fn figure(found: &SpeedsFound) -> Figure {
                 options(&found.case)
             ),
         ),
-        x_label: "angle of attack α (degrees)".into(),
+        x_label: angle_axis(&found.case),
         is_angle: true,
         y_label: "wind speed U (m/s)".into(),
         corners: Some([(from, 0.0), (to, found.highest)]),

@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use crate::stability::case::Case;
 use crate::stability::comparison::{
-    Agreement, Cause, Comparison, FollowedMode, Point, Reason, Value, angle, listed,
+    Agreement, Comparison, FollowedMode, Point, Reason, Value, angle, listed,
 };
 use crate::stability::mean_twist::{BOUND, Twist};
-use crate::stability::tolerance::Certainty;
+use crate::stability::tolerance::{Certainty, Tolerance};
 use crate::stability::verdict::Verdict;
 
 /// The most decimals of a damping coefficient; the sines of another machine may change later ones.
@@ -126,15 +126,15 @@ pub fn sweep(comparison: &Comparison) -> String {
         Some((last, others)) => format!("{} and {last} are free", others.join(", ")),
         None => String::new(),
     };
-    let angles = match (comparison.points.first(), comparison.points.last()) {
-        (Some(first), Some(last)) if comparison.points.len() > 1 => format!(
+    let angles = match comparison.at_all_angles().as_slice() {
+        [(first, _), .., (last, _)] => format!(
             "{} angles from {}° to {}°",
-            comparison.points.len(),
-            angle(first.angle),
-            angle(last.angle)
+            comparison.angle_count(),
+            angle(*first),
+            angle(*last)
         ),
-        (Some(only), _) => format!("at {}°", angle(only.angle)),
-        _ => String::new(),
+        [(only, _)] => format!("at {}°", angle(*only)),
+        [] => String::new(),
     };
     format!(
         "{angles}; {free}; U = {} m/s{}",
@@ -232,9 +232,17 @@ pub fn conclusion(comparison: &Comparison) -> String {
             format!("; not decided ({}), because {reasons}", listed(ranges))
         }
     };
+    let without = match comparison.without_balance.len() {
+        0 => String::new(),
+        count => format!(
+            "; no verdict at {count} of {} angles, which have no certain mean twist",
+            comparison.angle_count()
+        ),
+    };
+    let undecided = undecided + &without;
     let does = what_it_does(comparison);
     match (comparison.unstable.len(), comparison.undecided.len()) {
-        (0, 0) => format!("No angle of the sweep is unstable: {least}."),
+        (0, 0) if without.is_empty() => format!("No angle of the sweep is unstable: {least}."),
         (0, _) => format!("No angle of the sweep is unstable for certain: {least}{undecided}."),
         (1, _) => format!("The section {does} in one range of angles: {least}{undecided}."),
         (count, _) => {
@@ -246,7 +254,7 @@ pub fn conclusion(comparison: &Comparison) -> String {
 /// What is certain within the errors of the coefficients: what, and at which angles; nothing where no errors are given.
 pub fn within_errors(comparison: &Comparison) -> Vec<(&'static str, String)> {
     let within = comparison.within.as_ref();
-    let Some(within) = within.filter(|own| own.cause == Cause::Errors) else {
+    let Some(within) = within.filter(|own| own.has_errors()) else {
         return Vec::new();
     };
     let kinds = [
@@ -255,17 +263,21 @@ pub fn within_errors(comparison: &Comparison) -> Vec<(&'static str, String)> {
         (Certainty::Depends, "depends on them"),
         (Certainty::Open, "not decided"),
     ];
-    let line = |(certainty, name): (Certainty, &'static str)| {
-        let ranges = within.ranges(&comparison.points, certainty);
+    let line = |name: &'static str, holds: &dyn Fn(&Tolerance) -> bool| {
+        let ranges = within.ranges(&comparison.points, holds);
         let ranges: Vec<String> = ranges.iter().map(ToString::to_string).collect();
         (!ranges.is_empty()).then(|| (name, ranges.join(", ")))
     };
-    kinds.into_iter().filter_map(line).collect()
+    let certain = |(certainty, name)| line(name, &|own| own.certainty == certainty);
+    let unbounded = line("no bounds of S", &|own| own.damping.is_none());
+    let certain = kinds.into_iter().filter_map(certain);
+    certain.chain(unbounded).collect()
 }
 
 /// What [`within_errors`] is worth.
 pub const WITHIN: &str = "for all coefficients and slopes, each within what the errors of the rows make of it, with \
-                          proof; it depends where two such were found, one stable and one not";
+                          proof; it depends where two such were found, one stable and one not; S has no bounds where \
+                          the errors are too large to tell the modes apart";
 
 /// How all verdicts are known.
 pub const PROOF: &str = "each verdict is proven, by bounds of the errors or in exact arithmetic";

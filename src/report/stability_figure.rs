@@ -1,7 +1,7 @@
 //! The stability of a case as a figure: S by every method against the angle.
 
 use crate::stability::case::Case;
-use crate::stability::comparison::{Cause, Comparison, Point};
+use crate::stability::comparison::{Comparison, Point};
 
 use super::figure::{Curve, Figure, Fill, Patch, Stroke};
 use super::stability::sweep;
@@ -12,7 +12,7 @@ pub fn figure(comparison: &Comparison) -> Figure {
     let curve = |label: &str, stroke, value: &dyn Fn(&Point) -> Option<f64>| Curve {
         label: label.into(),
         stroke,
-        pieces: pieces(&comparison.points, value),
+        pieces: pieces(comparison, value),
     };
     let curves = vec![
         curve("state matrix", Stroke::Solid, &|point| {
@@ -36,7 +36,7 @@ pub fn figure(comparison: &Comparison) -> Figure {
     Figure {
         title: titled("Stability by every method", &comparison.case),
         subtitle: set(&comparison.case, &sweep(comparison)),
-        x_label: "angle of attack α (degrees)".into(),
+        x_label: angle_axis(&comparison.case),
         is_angle: true,
         y_label: format!("{symbol} = −4m max Re λ / (ρDU), dimensionless"),
         shaded: Some("unstable".into()),
@@ -52,7 +52,7 @@ pub fn figure(comparison: &Comparison) -> Figure {
 /// Where S lies within the errors of the coefficients, in pieces without a gap.
 fn band(comparison: &Comparison) -> Option<Patch> {
     let within = comparison.within.as_ref();
-    let within = within.filter(|own| own.cause == Cause::Errors)?;
+    let within = within.filter(|own| own.has_errors())?;
     let values = || comparison.points.iter().map(|point| point.exact.value);
     let (least, most) = (
         values().fold(f64::INFINITY, f64::min),
@@ -82,6 +82,15 @@ fn band(comparison: &Comparison) -> Option<Patch> {
     })
 }
 
+/// The angle along an axis: a mean twist changes the angle of attack itself.
+pub fn angle_axis(case: &Case) -> String {
+    let before = match case.is_twisted() {
+        true => " before the mean twist",
+        false => "",
+    };
+    format!("angle of attack α{before} (degrees)")
+}
+
 /// What a figure shows, and of which case.
 pub fn titled(what: &str, case: &Case) -> String {
     format!("{what}: {}", name(case))
@@ -103,16 +112,20 @@ pub fn name(case: &Case) -> &str {
 }
 
 /// The points that have a value, in pieces without a gap.
-fn pieces(points: &[Point], value: &dyn Fn(&Point) -> Option<f64>) -> Vec<Vec<(f64, f64)>> {
-    let groups = points.chunk_by(|one, other| value(one).is_some() == value(other).is_some());
-    let piece = |group: &[Point]| -> Vec<(f64, f64)> {
-        let pairs = group.iter();
-        pairs
-            .filter_map(|point| Some((point.angle, value(point)?)))
-            .collect()
-    };
-    groups
-        .map(piece)
-        .filter(|piece| !piece.is_empty())
-        .collect()
+pub fn pieces(
+    comparison: &Comparison,
+    value: &dyn Fn(&Point) -> Option<f64>,
+) -> Vec<Vec<(f64, f64)>> {
+    let all = comparison.at_all_angles().into_iter();
+    let all: Vec<_> = all
+        .map(|(angle, point)| Some((angle, value(point?)?)))
+        .collect();
+    without_gaps(&all)
+}
+
+/// Points in pieces without those that are not there.
+pub fn without_gaps(points: &[Option<(f64, f64)>]) -> Vec<Vec<(f64, f64)>> {
+    let pieces = points.split(|point| point.is_none());
+    let pieces = pieces.map(|piece| piece.iter().copied().flatten().collect::<Vec<_>>());
+    pieces.filter(|piece| !piece.is_empty()).collect()
 }

@@ -226,7 +226,7 @@ impl Case {
         Err(InputError::new(
             Place::file(&self.file),
             "C_M or its slope is given, and the mean twist follows the curve of the table",
-            "leave `mean_twist` out of the case, or both to the table",
+            "set neither C_M nor dC_M, or leave `mean_twist` out of the case",
         ))
     }
 
@@ -331,7 +331,7 @@ impl Case {
                 ));
             }
         }
-        let (size, r) = (p.reference_dimension, p.radius_of_gyration);
+        let size = p.reference_dimension;
         // Hardly anything that stands in the wind weighs less than the air around it.
         if p.mass < p.air_density * size * size {
             remark(format!(
@@ -358,10 +358,11 @@ impl Case {
             references.map(|(name, own)| (format!("a reference length of {name}"), own));
         let lengths = lengths.map(|(name, own)| (name.to_string(), own));
         for (name, length) in lengths.chain(references) {
-            if length > MOST_USUAL_LENGTHS * size || (name == "r" && size > MOST_USUAL_LENGTHS * r)
-            {
+            // L_a may be as short as one likes.
+            let is_short = name != "L_a" && size > MOST_USUAL_LENGTHS * length;
+            if length > MOST_USUAL_LENGTHS * size || is_short {
                 remark(format!(
-                    "{name} = {length} m beside D = {size} m; all lengths are in m"
+                    "{name} = {length} m beside D = {size} m; all lengths are in m, 50 mm is 0.05"
                 ));
             }
         }

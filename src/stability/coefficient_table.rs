@@ -15,7 +15,7 @@ mod row;
 pub mod scatter;
 mod sheet;
 
-use self::angle::WHOLE;
+use self::angle::{ONE_ANGLE, WHOLE};
 use self::column::Column;
 use self::heading::Columns;
 use self::meaning::Unit;
@@ -51,6 +51,8 @@ pub struct CoefficientTable {
     rows: Vec<Row>,
     /// The columns that are used.
     columns: Vec<String>,
+    /// The unit of the angles as they are written.
+    unit: Unit,
     /// Whether derivatives are those of columns.
     has_slopes: bool,
     /// By what C_D, C_L and C_M are multiplied so that they stand over D and D².
@@ -118,6 +120,7 @@ impl CoefficientTable {
             file: file.into(),
             rows: Vec::new(),
             columns: columns.used(&sheet.heading, unit, reading.slopes),
+            unit,
             has_slopes: reading.slopes,
             factors: [1.0; 3],
             mirror: None,
@@ -344,14 +347,35 @@ impl CoefficientTable {
         Ok(())
     }
 
+    /// Angles that are read in radians, as the heading says, and go beyond a turn.
+    fn beyond_a_turn(&self) -> Option<Remark> {
+        let is_beyond = |row: &&Row| row.angle.abs() > 360.0 * (1.0 + ONE_ANGLE);
+        let row = self.rows.iter().find(is_beyond)?;
+        (self.unit == Unit::Radians).then(|| Remark {
+            place: Place::line(&self.file, row.line),
+            what: format!(
+                "the angle is {} rad by the heading, more than a turn, which looks like degrees: correct the heading",
+                short(row.angle.to_radians())
+            ),
+        })
+    }
+
     fn check_reach(&self) -> Result<(), InputError> {
         if self.reach() <= 360.0 + WHOLE {
             return Ok(());
         }
         let what = format!("the angles go over {}°, more than the circle", self.reach());
-        let help = "keep 360° of them: the table is continued round the circle";
+        let help = match self.beyond_a_turn() {
+            Some(remark) => remark.to_string(),
+            None => "keep 360° of them: the table is continued round the circle".to_string(),
+        };
         Err(InputError::new(Place::file(&self.file), what, help))
     }
+}
+
+/// An angle or a width, without the rounding of a difference.
+fn short(angle: f64) -> f64 {
+    (angle * 1e9).round() / 1e9
 }
 
 /// `1 line`, `3 lines`.

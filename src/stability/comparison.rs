@@ -13,6 +13,7 @@ pub use following::FollowedMode;
 pub(super) use following::{Following, Modes, modes_of};
 pub use point::Point;
 pub use range::{AngleRange, UnstableRange, angle, listed};
+pub use twist::NoBalance;
 pub use value::Value;
 pub use within::{Cause, Open, Within};
 
@@ -22,7 +23,6 @@ use super::case::Case;
 use super::coefficient_table::CoefficientTable;
 use super::coefficient_table::remarks::remarks;
 use super::coordinate::Coordinate;
-use super::error::StabilityError;
 use super::input::{InputError, Place, Remark};
 use super::model::Model;
 use super::section::Section;
@@ -36,6 +36,8 @@ pub struct Comparison {
     pub case: Case,
     /// The angles in order, with the answers of all methods.
     pub points: Vec<Point>,
+    /// The other angles, at which there is no certain mean twist, and so no section.
+    pub without_balance: Vec<NoBalance>,
     /// Where the section gallops or diverges for certain.
     pub unstable: Vec<UnstableRange>,
     /// Where it is neither stable nor unstable for certain.
@@ -70,7 +72,8 @@ const AT_ONCE: usize = 64;
 ///
 /// # Errors
 ///
-/// If there is no wind, if an angle is outside of the table, or if a section has no answer.
+/// If there is no wind, if an angle is outside of the table, if a section has no answer, or if none has a certain mean
+/// twist.
 pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, InputError> {
     let file = Place::file(&case.file);
     if case.parameters.wind_speed == 0.0 {
@@ -80,19 +83,17 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
     let sections = Sections::new(case, table)?;
     let angles = case.angles.values();
     let section = |angle: f64| Ok(sections.at(angle, table)?.0);
-    let answers = |angles: &[f64]| -> Result<Vec<(Point, Modes)>, InputError> {
-        let found = angles.iter().map(|angle| sections.at(*angle, table));
-        let (sections, twists): (Vec<_>, Vec<_>) =
-            found.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
-        let found = point::points(angles, &sections, &twists);
-        found.map_err(|(angle, error)| impossible(case, angle, &error))
-    };
+    let places: Vec<(usize, f64)> = angles.iter().copied().enumerate().collect();
+    let answers = |places: &[(usize, f64)]| answers(places, &sections, table);
     let mut points = Vec::with_capacity(angles.len());
+    let mut without_balance = Vec::new();
     let mut following = Following::default();
-    for block in angles.chunks(BLOCK) {
+    for block in places.chunks(BLOCK) {
         let found: Vec<_> = block.par_chunks(AT_ONCE).map(answers).collect();
         // The first error, not the one that was found first.
-        let found: Vec<_> = found.into_iter().collect::<Result<_, _>>()?;
+        let found: Vec<Answers> = found.into_iter().collect::<Result<_, _>>()?;
+        let (found, none): (Vec<_>, Vec<_>) = found.into_iter().unzip();
+        without_balance.extend(none.into_iter().flatten());
         let (own, modes): (Vec<Point>, Vec<Modes>) = found.into_iter().flatten().unzip();
         let numbers = following.numbers(&modes);
         let numbered = modes
@@ -102,18 +103,26 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
         let numbered = own.into_iter().zip(numbered);
         points.extend(numbered.map(|(point, modes)| Point { modes, ..point }));
     }
-    let within = within::within(case, table, &angles, &section)?;
-    let scattered = within.as_ref();
-    let scattered = scattered.and_then(|own| own.remark(case, table, &points));
-    // What overturns verdicts is said first.
-    let mut remarks: Vec<Remark> = scattered
-        .or_else(|| case.scatter_remark(table))
-        .into_iter()
-        .collect();
+    if let ([], [first, ..]) = (points.as_slice(), without_balance.as_slice()) {
+        return Err(sections.without_twist(first.angle, first.reason));
+    }
+    let at: Vec<f64> = points.iter().map(|own| own.angle).collect();
+    let within = within::within(case, table, &at, &section)?;
+    // What overturns verdicts is said first; scatter that turns none is not said.
+    let scattered = match &within {
+        Some(own) if !own.has_errors() => own.remark(case, table, &points),
+        _ => case.scatter_remark(table),
+    };
+    let mut remarks: Vec<Remark> = scattered.into_iter().collect();
+    remarks.extend(twist::remarks_without_balance(
+        case,
+        &without_balance,
+        angles.len(),
+    ));
     remarks.extend(self::remarks(table));
     remarks.extend(case.remarks());
     remarks.extend(weakened(case, &section, &points));
-    remarks.extend(twist::remarks(case, &points));
+    remarks.extend(twist::remarks(case, &points, angles.len()));
     let corners = match case.is_twisted() {
         true => 0,
         false => sections.curves().corners(&angles),
@@ -135,6 +144,7 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
         undecided: range::undecided(&points),
         agreements: agreement::agreements(&points),
         points,
+        without_balance,
         reading: format!(
             "{}: {}; {}",
             table.file(),
@@ -145,13 +155,34 @@ pub fn compare(case: &Case, table: &CoefficientTable) -> Result<Comparison, Inpu
     })
 }
 
-fn impossible(case: &Case, angle: f64, error: &StabilityError) -> InputError {
-    let what = format!("at {angle}°: {error}");
-    InputError::new(
-        Place::file(&case.file),
-        what,
-        "correct the case or its table",
-    )
+/// The points at some angles, and those without a certain mean twist.
+type Answers = (Vec<(Point, Modes)>, Vec<NoBalance>);
+
+/// What all methods say at some angles with their places in the sweep.
+fn answers(
+    places: &[(usize, f64)],
+    sections: &Sections<'_>,
+    table: &CoefficientTable,
+) -> Result<Answers, InputError> {
+    let (mut at, mut found, mut twists) = (Vec::new(), Vec::new(), Vec::new());
+    let mut without = Vec::new();
+    for &(place, angle) in places {
+        match sections.found(angle, table)? {
+            Ok((section, twist)) => {
+                at.push((place, angle));
+                found.push(section);
+                twists.push(twist);
+            }
+            Err(reason) => without.push(NoBalance {
+                place,
+                angle,
+                reason,
+            }),
+        }
+    }
+    let points = point::points(&at, &found, &twists);
+    let impossible = |(angle, error)| sections.impossible(angle, &error);
+    Ok((points.map_err(impossible)?, without))
 }
 
 /// Where structural damping does harm, a remark for each coordinate.
@@ -174,10 +205,14 @@ fn weakened<'a>(
             slopes.reduce(|one, other| if other.0 < one.0 { other } else { one })?;
         let change = with_more_damping(&section_at(steepest.angle).ok()?, coordinate)?
             - steepest.exact.value;
-        let change = match change.abs() {
-            size if size < 0.01 => "changes it by less than 0.01".to_string(),
-            size if change < 0.0 => format!("lowers it by {size:.2}"),
-            size => format!("raises it by {size:.2}, since only a little lowers it"),
+        // What leaves S and the verdict as they are is not said.
+        if change.abs() < SMALL_CHANGE.min(steepest.exact.value.abs()) {
+            return None;
+        }
+        let size = rounded_change(change);
+        let change = match change < 0.0 {
+            true => format!("lowers it by {size}"),
+            false => format!("raises it by {size}, since only a little lowers it"),
         };
         let ranges = range::ranges(points, |point| slope(point).is_some());
         Some(Remark {
@@ -191,6 +226,17 @@ fn weakened<'a>(
         })
     };
     case.parameters.free.as_slice().iter().filter_map(remark)
+}
+
+/// Changes of S below this are not seen in a figure.
+const SMALL_CHANGE: f64 = 0.01;
+
+/// The size of a change of S: with two decimals, or one digit of what is smaller.
+fn rounded_change(change: f64) -> String {
+    match change.abs() {
+        size if size < SMALL_CHANGE => format!("{size:.0e}"),
+        size => format!("{size:.2}"),
+    }
 }
 
 /// S with a structural damping ratio larger by 0.01.
@@ -209,13 +255,29 @@ impl Comparison {
         labels.map(|mode| mode.label).max().unwrap_or(0)
     }
 
+    /// How many angles the sweep has.
+    pub fn angle_count(&self) -> usize {
+        self.points.len() + self.without_balance.len()
+    }
+
+    /// All angles of the sweep in degrees, with the point there; `None` where there is no certain mean twist.
+    pub fn at_all_angles(&self) -> Vec<(f64, Option<&Point>)> {
+        let with = self.points.iter().map(|own| (own.angle, Some(own)));
+        let mut all: Vec<_> = with.collect();
+        for own in &self.without_balance {
+            // They are in order, so that each finds those before it in their places.
+            all.insert(own.place, (own.angle, None));
+        }
+        all
+    }
+
     /// The free coordinates, in order.
     pub fn free(&self) -> &[Coordinate] {
         self.case.parameters.free.as_slice()
     }
 
     /// The name of the largest S of all modes: `S_3D`, `S_2D` or `S_1D`, after the free coordinates.
-    pub fn coefficient_name(&self) -> String {
-        format!("S_{}D", self.free().len())
+    pub fn coefficient_name(&self) -> &'static str {
+        self.case.parameters.free.coefficient_name()
     }
 }

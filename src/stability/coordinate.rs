@@ -87,6 +87,15 @@ impl FreeCoordinates {
         &self.order[..self.count]
     }
 
+    /// The name of the damping coefficient of such a section: `S_3D`, `S_2D` or `S_1D`.
+    pub fn coefficient_name(&self) -> &'static str {
+        match self.count {
+            1 => "S_1D",
+            2 => "S_2D",
+            _ => "S_3D",
+        }
+    }
+
     /// Whether all three are free.
     pub fn are_all(&self) -> bool {
         self.count == Coordinate::ALL.len()

@@ -74,6 +74,8 @@ pub struct CoefficientCurves {
     is_circle: bool,
     /// Whether one piece is the circle.
     is_whole: bool,
+    /// Whether the circle closes with a jump.
+    jumps: bool,
     /// Between holes, in order.
     pieces: Vec<Piece>,
 }
@@ -150,7 +152,8 @@ impl CoefficientCurves {
         }
         let angles = rows.iter().map(|row| row.angle).collect();
         let mut holes = table.holes();
-        let goes_on = is_circle && !table.has_a_jump_at_its_end();
+        let jumps = is_circle && table.has_a_jump_at_its_end();
+        let goes_on = is_circle && !jumps;
         let is_whole = goes_on && holes.is_empty();
         if let (true, Some(&hole)) = (goes_on, holes.first()) {
             rows = behind(hole, &rows);
@@ -186,6 +189,7 @@ impl CoefficientCurves {
             angles,
             is_circle,
             is_whole,
+            jumps,
             pieces: pieces.collect::<Result<_, _>>()?,
         })
     }
@@ -237,6 +241,12 @@ impl CoefficientCurves {
             angles: own.angles.clone(),
         };
         (self.pieces.iter().map(piece).collect(), self.is_whole)
+    }
+
+    /// The ends of a circle that closes with a jump.
+    pub(super) fn jump(&self) -> Option<[f64; 2]> {
+        let ends = [*self.angles.first()?, *self.angles.last()?];
+        self.jumps.then_some(ends)
     }
 
     /// How far the coefficients at an angle, and their slopes, may be from those at others that are no farther from it

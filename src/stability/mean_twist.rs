@@ -51,8 +51,10 @@ pub const BOUND: f64 = 1.0 / (1_u64 << 38) as f64;
 /// Why there is no twist.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoTwist {
-    /// No balance within the table, whose end is so far from the angle of attack, in degrees.
+    /// No balance before the table ends, at this angle in degrees.
     BeyondTable(f64),
+    /// No balance before the coefficients jump, at this angle in degrees.
+    AtJump(f64),
     /// No balance within half a turn.
     BeyondHalfTurn,
     /// Springs and wind are nearly in balance at several twists, so that none is certain to [`BOUND`].
@@ -66,7 +68,12 @@ impl fmt::Display for NoTwist {
         match self {
             NoTwist::BeyondTable(end) => write!(
                 formatter,
-                "the mean moment twists the section by more than {end:.1}°, to where the table ends"
+                "the mean moment twists the section beyond {end}°, to where the table ends"
+            ),
+            NoTwist::AtJump(end) => write!(
+                formatter,
+                "the mean moment twists the section to {end}°, where the coefficients of the table jump and springs and \
+                 wind are not in balance"
             ),
             NoTwist::BeyondHalfTurn => {
                 formatter.write_str("the mean moment twists the section by more than half a turn")
@@ -83,9 +90,21 @@ impl fmt::Display for NoTwist {
 
 impl std::error::Error for NoTwist {}
 
-/// What to do where there is no twist.
-pub const NO_TWIST_HELP: &str =
-    "lower the wind speed, stiffen the turn, complete the table, or leave `mean_twist` out";
+impl NoTwist {
+    /// What to do about it.
+    pub fn help(&self) -> &'static str {
+        match self {
+            NoTwist::AtJump(_) => {
+                "correct the rows there, as lift and moment of what is its own mirror image are 0 at 0° and 180°; lower the \
+                 wind speed, stiffen the turn, or leave `mean_twist` out"
+            }
+            NoTwist::BeyondTable(_) => {
+                "complete the table, lower the wind speed, stiffen the turn, or leave `mean_twist` out"
+            }
+            _ => "lower the wind speed, stiffen the turn, or leave `mean_twist` out",
+        }
+    }
+}
 
 /// The moment coefficient of a table, for the twists of sections.
 #[derive(Clone, Debug)]
@@ -94,6 +113,8 @@ pub(super) struct MomentCurve {
     /// The largest |C_M| of each.
     largest: Vec<f64>,
     is_whole: bool,
+    /// The ends of the table, where it closes with a jump.
+    jump: Option<[f64; 2]>,
 }
 
 /// Half a turn, in degrees.
@@ -117,6 +138,7 @@ impl MomentCurve {
             largest: pieces.iter().map(largest).collect(),
             pieces,
             is_whole,
+            jump: curves.jump(),
         }
     }
 
@@ -142,21 +164,24 @@ impl MomentCurve {
             balance,
         };
         search.twist().map_err(|none| match none {
-            NoTwist::BeyondHalfTurn => self.beyond(piece, place, search.direction()),
+            NoTwist::BeyondHalfTurn => self.beyond((piece, place), search.direction()),
             other => other,
         })
     }
 
-    /// Whether the table ends before half a turn on the side to which the moment turns.
-    fn beyond(&self, piece: usize, place: f64, direction: Option<Ordering>) -> NoTwist {
+    /// What ends the search from a place of a piece, where the excess without twist has this sign: the table, a jump of it,
+    /// or half a turn.
+    pub fn beyond(&self, (piece, place): (usize, f64), excess: Option<Ordering>) -> NoTwist {
         let [first, last] = self.pieces[piece].ends();
-        let left = match direction {
-            Some(Ordering::Greater) => place - first,
-            _ => last - place,
+        let end = match excess {
+            Some(Ordering::Greater) => first,
+            _ => last,
         };
-        match self.is_whole || left >= HALF_TURN {
-            true => NoTwist::BeyondHalfTurn,
-            false => NoTwist::BeyondTable(left),
+        let jumps = self.jump.is_some_and(|ends| ends.contains(&end));
+        match (self.is_whole || (end - place).abs() >= HALF_TURN, jumps) {
+            (true, _) => NoTwist::BeyondHalfTurn,
+            (false, true) => NoTwist::AtJump(end),
+            (false, false) => NoTwist::BeyondTable(end),
         }
     }
 

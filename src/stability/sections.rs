@@ -2,12 +2,12 @@
 
 use super::case::Case;
 use super::coefficient_table::CoefficientTable;
-use super::coefficient_table::remarks::radians;
+use super::coefficient_table::remarks::mistaken_unit;
 use super::error::StabilityError;
 use super::forces::Coefficients;
 use super::input::{InputError, Place};
 use super::interpolation::{CoefficientCurves, OutsideTable};
-use super::mean_twist::{MomentCurve, NO_TWIST_HELP, NoTwist, Twist};
+use super::mean_twist::{MomentCurve, NoTwist, Twist};
 use super::parameters::{Open, Parameters};
 use super::section::Section;
 
@@ -66,15 +66,33 @@ impl<'a> Sections<'a> {
         angle: f64,
         table: &CoefficientTable,
     ) -> Result<(Section, Option<Twist>), InputError> {
-        let (parameters, twist) = self.parameters(angle).map_err(|none| match none {
-            NoSection::Outside(outside) => self.outside(&outside, table),
-            NoSection::NoTwist(none) => self.wrong(angle, &none.to_string(), NO_TWIST_HELP),
-        })?;
+        let found = self.found(angle, table)?;
+        found.map_err(|none| self.without_twist(angle, none))
+    }
+
+    /// The same, where it is no error that there is no certain twist.
+    ///
+    /// # Errors
+    ///
+    /// As [`Sections::at`].
+    pub(super) fn found(
+        &self,
+        angle: f64,
+        table: &CoefficientTable,
+    ) -> Result<Result<(Section, Option<Twist>), NoTwist>, InputError> {
+        let (parameters, twist) = match self.parameters(angle) {
+            Ok(found) => found,
+            Err(NoSection::NoTwist(none)) => return Ok(Err(none)),
+            Err(NoSection::Outside(outside)) => return Err(self.outside(&outside, table)),
+        };
         let section = Section::new(parameters);
-        Ok((
-            section.map_err(|error| self.impossible(angle, &error))?,
-            twist,
-        ))
+        let section = section.map_err(|error| self.impossible(angle, &error))?;
+        Ok(Ok((section, twist)))
+    }
+
+    /// That there is no section at an angle, since it has no certain twist.
+    pub(super) fn without_twist(&self, angle: f64, none: NoTwist) -> InputError {
+        self.wrong(angle, &none.to_string(), none.help())
     }
 
     fn parameters(&self, angle: f64) -> Result<(Parameters, Option<Twist>), NoSection> {
@@ -104,7 +122,9 @@ impl<'a> Sections<'a> {
         } else {
             0.0
         };
-        let beyond = |_: OutsideTable| NoTwist::BeyondTable(twist.angle.to_degrees().abs());
+        // It turns to where the excess without it is not.
+        let excess = 0.0_f64.partial_cmp(&twist.angle);
+        let beyond = |_: OutsideTable| moments.beyond(place, excess);
         let coefficients = self.curves.at(turned).map_err(beyond)?;
         let open = match error > 0.0 {
             true => self
@@ -126,8 +146,8 @@ impl<'a> Sections<'a> {
     }
 
     fn outside(&self, outside: &OutsideTable, table: &CoefficientTable) -> InputError {
-        let help = match radians(table) {
-            Some(remark) => remark.what,
+        let help = match mistaken_unit(table) {
+            Some(remark) => remark.to_string(),
             None if table.is_circle() => "complete the table".to_string(),
             None => format!(
                 "shorten the sweep in {}, complete the table, or write `mirror = true` if it is half of what is its own \
@@ -138,7 +158,7 @@ impl<'a> Sections<'a> {
         InputError::new(Place::file(table.file()), outside.to_string(), help)
     }
 
-    fn impossible(&self, angle: f64, error: &StabilityError) -> InputError {
+    pub(super) fn impossible(&self, angle: f64, error: &StabilityError) -> InputError {
         self.wrong(angle, &error.to_string(), "correct the case or its table")
     }
 

@@ -124,8 +124,11 @@ fn check(case: &Case) -> Result<(), InputError> {
         return Err(wrong(case, &what, "give a wind speed above 0"));
     }
     if !p.free.are_all() {
-        let what = "the closed forms need x, y and theta to be free";
-        return Err(wrong(case, what, "leave `free` out of the case"));
+        let what =
+            "the closed forms are of sections whose x, y and theta are free, and not all are";
+        let help = "leave `free` out of the case if nothing is held; what is held is computed by `sextic stability`, and \
+                    needs no closed form";
+        return Err(wrong(case, what, help));
     }
     if case.is_twisted() {
         let what = "each wind of the map twists the section otherwise";

@@ -96,7 +96,8 @@ fn what_cannot_follow_a_twist_says_what_can() {
         let (status, _, err) = run(&[command, &case]);
         assert!(status == Some(2) && err.contains(words), "{command}: {err}");
     }
-    let (status, _, err) = run(&["stability", &case, "--set", "U=40"]);
+    let alone = ["stability", &case, "--set", "U=40", "--set", "alpha_deg=0"];
+    let (status, _, err) = run(&alone);
     assert!(
         status == Some(2) && err.contains("at 0°: without mean moment there is no mean twist"),
         "{err}"
@@ -145,6 +146,11 @@ fn figures_and_the_page_are_those_of_the_twisted_section() {
     let out = case.replace("detuned.toml", "figures");
     let (status, _, err) = run(&["figures", &case, "--out", &out]);
     assert_eq!(status, Some(0), "{err}");
+    for name in ["stability", "coefficients", "frequencies_of_modes"] {
+        let path = std::path::Path::new(&out).join(format!("{name}.svg"));
+        let figure = std::fs::read_to_string(path).expect("a figure");
+        assert!(figure.contains("before the mean twist"), "{name}");
+    }
 }
 
 #[test]
@@ -182,4 +188,48 @@ fn what_is_odd_about_balances_is_said() {
         out.contains("in balance at more than one mean twist"),
         "{out}"
     );
+}
+
+/// An angle at which nothing is in balance has its reason, and no number, in every view.
+#[test]
+fn an_angle_without_a_balance_does_not_stop_the_others() {
+    let case = twisted("twist_none", &[("U = 6", "U = 40")]);
+    let (status, out, err) = run(&["stability", &case, "--width", "400"]);
+    assert_eq!(status, Some(0), "{err}");
+    for words in [
+        "7 angles from 0° to 180°",
+        "no verdict at 2 of 7 angles, which have no certain mean twist",
+        "at 2 of 7 angles (at 0°, at 180°) there is no verdict: without mean moment",
+        "at 5 of 7 angles (30° to 150°): springs and wind are in balance at more",
+    ] {
+        assert!(out.contains(words), "{words}: {out}");
+    }
+    let compared = json(&["stability", &case]);
+    let count = |key: &str| compared[key].as_array().map(Vec::len);
+    assert_eq!(
+        [count("points"), count("without_balance")],
+        [Some(5), Some(2)]
+    );
+    assert_eq!(compared["without_balance"][1]["alpha_deg"], 180.0);
+    let (_, csv, err) = run(&["stability", &case, "--format", "csv"]);
+    assert!(err.contains("there is no verdict"), "{err}");
+    let rows: Vec<&str> = csv.lines().skip(1).collect();
+    let cells = |place: usize| rows[place].split(',').collect::<Vec<_>>();
+    assert_eq!(rows.len(), 7);
+    for (place, alpha) in [(0, "0"), (6, "180")] {
+        let empty = cells(place).iter().filter(|own| own.is_empty()).count();
+        assert_eq!(
+            (cells(place)[0], cells(place).last()),
+            (alpha, Some(&"none"))
+        );
+        assert_eq!(
+            (empty, cells(place).len()),
+            (cells(1).len() - 2, cells(1).len())
+        );
+    }
+    let page = case.replace("detuned.toml", "page.html");
+    let (status, _, err) = run(&["report", "--case", &case, "--only-case", "--out", &page]);
+    assert_eq!(status, Some(0), "{err}");
+    let page = std::fs::read_to_string(page).expect("a page");
+    assert!(page.contains("which have no certain mean twist"));
 }

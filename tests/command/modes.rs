@@ -76,6 +76,14 @@ fn what_modes_cannot_do_is_said() {
 }
 
 #[test]
+fn s_has_the_name_of_what_is_free() {
+    let case = concat!(env!("CARGO_MANIFEST_DIR"), "/derivations/cases/square.toml");
+    let (status, out, err) = run(&["modes", case, "--alpha", "0"]);
+    assert_eq!(status, Some(0), "{err}");
+    assert!(out.contains("S_1D = ") && !out.contains("S_3D"), "{out}");
+}
+
+#[test]
 fn modes_show_how_they_move_where_that_is_asked_for() {
     // Without wind the mode of the middle frequency leaves the angle alone.
     for method in ["exact", "companion", "state"] {

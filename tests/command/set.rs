@@ -179,7 +179,10 @@ fn what_cannot_be_set_is_said() {
         (&["stability", &path, "--set", "r=0.001"], "--set r = 0.001"),
         (&["stability", &narrow, "--set", "alpha_deg=300"], "outside"),
         (&["stability", &path, "--set", "U=1e999"], "U=1e999"),
-        (&["modes", &path], "has several angles of attack"),
+        (
+            &["modes", &path],
+            "name one of them in degrees: `--alpha 90`",
+        ),
         (&["modes", &narrow, "--alpha", "300"], "outside"),
         (
             &["modes", &path, "--alpha", "1", "--set", "alpha_deg=2"],
@@ -382,4 +385,30 @@ fn every_report_says_what_coefficients_stand_over() {
         err.contains("D is varied, and `reference` converts"),
         "{err}"
     );
+}
+
+#[test]
+fn a_quantity_that_is_given_as_an_option_is_shown_as_a_setting() {
+    let path = case("option");
+    for (arguments, cure) in [
+        (
+            &["stability", &path, "--alpha", "30"][..],
+            "--set alpha_deg=30",
+        ),
+        (&["speeds", &path, "--alpha=30"], "--set alpha_deg=VALUE"),
+        (&["validity", &path, "--U", "12"], "--set U=12"),
+        (&["sweep", &path, "--alpha_deg", "3"], "--set alpha_deg=3"),
+    ] {
+        let (status, _, err) = run(arguments);
+        let is_told = err.contains(&format!("a quantity of a case is set by `{cure}`"));
+        assert!(status == Some(2) && is_told, "{arguments:?}: {err}");
+    }
+    // What sets nothing, or is no quantity, has the usual message.
+    for arguments in [
+        &["audit", "--alpha", "30"][..],
+        &["stability", &path, "--beta", "3"],
+    ] {
+        let (status, _, err) = run(arguments);
+        assert!(status == Some(2) && !err.contains("is set by"), "{err}");
+    }
 }

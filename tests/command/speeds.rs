@@ -31,6 +31,8 @@ fn critical_speeds_are_written_in_every_form() {
     assert_eq!((status, warnings(&err)), (Some(0), String::new()), "{err}");
     // Neighbours share a line, with the range of their speeds.
     assert!(out.contains("gallops up to 5.1948–"), "{out}");
+    // What is not looked at is not called stable.
+    assert!(out.contains("stable at every speed up to 40 m/s"), "{out}");
     assert!(out.lines().count() < 20, "{out}");
     assert!(
         out.contains("from the lowest wind speeds on: 0° to 8°, 21° to "),

@@ -225,8 +225,39 @@ fn scatter_that_may_turn_a_verdict_is_told() {
     let case = folder.join("case.toml");
     std::fs::write(&case, text.join("\n")).expect("a case");
     std::fs::copy(cases.join("scattered.csv"), folder.join("scattered.csv")).expect("a table");
-    let (_, out, _) = run(&["stability", case.to_str().unwrap(), "--width", "400"]);
-    assert!(out.contains("twice that may turn the verdict at "), "{out}");
+    let case = case.to_str().unwrap();
+    let (_, out, _) = run(&["stability", case, "--width", "400"]);
+    assert!(out.contains("may turn the verdict at 51 of 91 "), "{out}");
+    // Angles that depend on the scatter, and those of which that is open, share their ranges.
+    assert!(out.contains("(0° to 20°, 88° to 90°, "), "{out}");
+    // Where it turns nothing it is not said.
+    let calm = ["--set", "U=1", "--set", "alpha_deg=60"];
+    let (_, out, _) = run(&[&["stability", case][..], &calm].concat());
+    assert!(!out.contains("scatter about"), "{out}");
+    // Other commands do not look, and say how much it is.
+    let (_, _, err) = run(&["modes", case, "--alpha", "10"]);
+    assert!(err.contains("CL by 2.0e-2, dCL by 8.0e-1"), "{err}");
     let (_, out, _) = run(&["stability", folder.join("detuned.toml").to_str().unwrap()]);
-    assert!(!out.contains("twice that may"), "{out}");
+    assert!(!out.contains("may turn the verdict"), "{out}");
+}
+
+#[test]
+fn where_errors_leave_s_without_bounds_is_said() {
+    let case = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/derivations/cases/scattered.toml"
+    );
+    let (_, out, _) = run(&["stability", case, "--width", "200"]);
+    assert!(
+        out.contains("  no bounds of S    0° to 6°, 176° to 180°"),
+        "{out}"
+    );
+    let (_, out, err) = run(&["modes", case, "--alpha", "0"]);
+    assert!(
+        out.contains("stable for all of them, and no bounds of S_3D are known"),
+        "{out}"
+    );
+    assert!(!err.contains("not considered"), "{err}");
+    let (_, out, _) = run(&["modes", case, "--alpha", "60"]);
+    assert!(out.contains("stable for all of them, S_3D from "), "{out}");
 }

@@ -219,6 +219,16 @@ fn mistaken_units_are_named() {
     let millimetres = remarks("D = 0.05", "D = 50");
     assert!(millimetres.contains("r = 0.0178 m beside D = 50 m"));
     assert!(millimetres.contains("m = 3.5 kg/m beside D = 50 m weighs less than the air"));
+    for reference in ["CL = 300", "CM = [0.3, 300]", "CD = 0.002"] {
+        let with = format!("D = 0.05\nreference = {{ {reference} }}");
+        let said = remarks("D = 0.05", &with);
+        assert!(said.contains("a reference length of C"), "{said}");
+        assert!(said.contains("all lengths are in m, 50 mm is 0.05"));
+    }
+    assert_eq!(
+        remarks("D = 0.05", "D = 0.05\nreference = { CL = 0.3 }"),
+        ""
+    );
 
     // A table in radians ends before the sweep does: that is not what is wrong with it.
     let (case, _) = shipped_case("detuned.toml", &[]);
@@ -228,4 +238,10 @@ fn mistaken_units_are_named() {
     let table = CoefficientTable::read("radians.csv", &table).expect("a table");
     let error = compare(&case, &table).expect_err("it is too short");
     assert!(error.help.contains("looks like radians"), "{error:?}");
+    // The other way round: the first angle beyond a turn is named, wherever the table is refused for it.
+    let table = "alpha_rad,CL,CD,CM\n6,0,1,0\n7,0,1,0\n8,0,1,0\n9,0,1,0\n";
+    let table = CoefficientTable::read("degrees.csv", table).expect("a table");
+    let error = compare(&case, &table).expect_err("it begins beyond the sweep");
+    let words = "degrees.csv:3: the angle is 7 rad by the heading";
+    assert!(error.help.contains(words), "{error:?}");
 }

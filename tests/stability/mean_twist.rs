@@ -4,11 +4,12 @@ use proptest::prelude::*;
 use sextic::stability::axis::Axis;
 use sextic::stability::case::Case;
 use sextic::stability::coefficient_table::CoefficientTable;
+use sextic::stability::coefficient_table::reading::Reading;
 use sextic::stability::comparison::{Point, compare};
 use sextic::stability::critical_speed::speeds_of;
 use sextic::stability::grid::{Grid, Methods, Rows};
 use sextic::stability::interpolation::{CoefficientCurves, Interpolation};
-use sextic::stability::mean_twist::{BOUND, Twist};
+use sextic::stability::mean_twist::{BOUND, NoTwist, Twist};
 use sextic::stability::sections::Sections;
 use sextic::stability::validity::validity;
 use sextic::stability::variable::Variable;
@@ -489,5 +490,108 @@ fn several_balances_and_a_jump_are_told() {
         };
         let is_said = said.iter().any(|own| own.what.contains(words));
         assert_eq!(is_said, word != "only");
+    }
+}
+
+/// The rows of `formulas.csv` up to 180°, with a moment there that does not vanish.
+fn half(moment: f64, reading: &Reading) -> CoefficientTable {
+    let text = read(&shipped().join("formulas.csv"));
+    let row = |line: &str| -> Option<String> {
+        let Some((alpha, _)) = line.split_once(',') else {
+            return Some(line.to_owned());
+        };
+        match alpha.parse::<f64>() {
+            Ok(180.0) => Some(format!("180,0,0.7,{moment}")),
+            Ok(own) => (own < 180.0).then(|| line.to_owned()),
+            Err(_) => Some(line.to_owned()),
+        }
+    };
+    let rows: Vec<String> = text.lines().filter_map(row).collect();
+    CoefficientTable::read_as("half.csv", &rows.join("\n"), reading).expect("a table")
+}
+
+/// Of a balance at the end of a table one side is known, which is that of the whole curve here.
+#[test]
+fn where_the_table_ends_in_balance_one_side_counts() {
+    let edits = [
+        ("U = 9", "U = 5"),
+        ("\"cubic\"", "\"linear\""),
+        ("step = 0.5", "step = 180"),
+    ];
+    let case = case(&edits);
+    let mirror = Reading {
+        mirror: true,
+        ..Reading::default()
+    };
+    let of = |table: &CoefficientTable| compare(&case, table).expect("a comparison").points;
+    let [ended, whole] = [Reading::default(), mirror].map(|own| of(&half(0.0, &own)));
+    for (one, other) in ended.iter().zip(&whole) {
+        assert_eq!(one.twist, other.twist);
+        assert_eq!(
+            one.twist.map(|own| (own.angle, own.error)),
+            Some((0.0, 0.0))
+        );
+        assert_eq!(one.verdict, other.verdict);
+    }
+    assert_eq!((ended.len(), whole.len()), (2, 2));
+}
+
+/// Half a table that does not end at 0 jumps where it is mirrored, and springs and wind may find no balance there.
+#[test]
+fn angles_without_a_balance_are_left_out_with_their_reason() {
+    let mirror = Reading {
+        mirror: true,
+        ..Reading::default()
+    };
+    let table = half(0.05, &mirror);
+    let angles = "from = 150, to = 210, step = 1";
+    let edits = [
+        ("from = 0, to = 180, step = 0.5", angles),
+        ("zeta_x = 0.008", "zeta_x = 0"),
+        ("zeta_y = 0.008", "zeta_y = 0"),
+        ("zeta_theta = 0.03", "zeta_theta = 0"),
+    ];
+    let case = case(&edits);
+    let found = compare(&case, &table).expect("a comparison");
+    let left_out: Vec<f64> = found.without_balance.iter().map(|own| own.angle).collect();
+    assert_eq!(left_out, [179.0, 180.0, 181.0]);
+    assert_eq!(found.points.len() + left_out.len(), 61);
+    for own in &found.without_balance {
+        let end = if own.angle > 180.0 { -180.0 } else { 180.0 };
+        assert_eq!(own.reason, NoTwist::AtJump(end), "{own:?}");
+        let reason = own.reason.to_string();
+        assert!(
+            reason.contains("the coefficients of the table jump"),
+            "{reason}"
+        );
+    }
+    // All angles are there, in their order.
+    let all: Vec<f64> = found.at_all_angles().iter().map(|own| own.0).collect();
+    assert_eq!(all, case.angles.values());
+    // The others are as they are alone, and curves and ranges do not pass over the gap.
+    let sections = Sections::new(&case, &table).expect("sections");
+    for own in &found.points {
+        let (_, twist) = sections.at(own.angle, &table).expect("a section");
+        assert_eq!(own.twist, twist);
+    }
+    let curve = &sextic::report::stability_figure::figure(&found).curves[0];
+    assert_eq!(curve.pieces.len(), 2);
+    let ranges = found.unstable.iter();
+    let ranges: Vec<(f64, f64)> = ranges.map(|own| (own.angles.from, own.angles.to)).collect();
+    assert_eq!(ranges, [(150.0, 178.0), (182.0, 210.0)]);
+}
+
+/// Where the table ends, and does not jump, that is the reason.
+#[test]
+fn the_end_of_a_table_is_named() {
+    let case = case(&[(
+        "from = 0, to = 180, step = 0.5",
+        "from = 150, to = 180, step = 1",
+    )]);
+    let table = half(0.05, &Reading::default());
+    let found = compare(&case, &table).expect("a comparison");
+    assert!(!found.without_balance.is_empty());
+    for own in &found.without_balance {
+        assert_eq!(own.reason, NoTwist::BeyondTable(180.0), "{own:?}");
     }
 }

@@ -2,10 +2,10 @@
 
 use crate::report::figure::{Curve, Figure, Stroke};
 use crate::report::stability::sweep;
-use crate::report::stability_figure::{self, set, titled};
+use crate::report::stability_figure::{self, pieces, set, titled, without_gaps};
 use crate::stability::case::Case;
 use crate::stability::coefficient_table::CoefficientTable;
-use crate::stability::comparison::{Comparison, Point, Value, compare};
+use crate::stability::comparison::{Comparison, Value, compare};
 use crate::stability::grid::{Grid, Methods, Rows};
 use crate::stability::input::InputError;
 use crate::stability::variable::Variable;
@@ -19,17 +19,10 @@ const AT_ONCE: u64 = 1024;
 /// S and frequency of every mode against the angle.
 pub(super) fn modes(comparison: &Comparison, gallery: &mut Gallery) {
     let base = stability_figure::figure(comparison);
-    let points = || comparison.points.iter();
-    let damping = by_mode(|label| {
-        points()
-            .map(|point| Some((point.angle, point.mode(label)?.damping.value)))
-            .collect()
-    });
-    let frequency = by_mode(|label| {
-        points()
-            .map(|point| Some((point.angle, point.mode(label)?.frequency)))
-            .collect()
-    });
+    let damping =
+        by_mode(|label| pieces(comparison, &|point| Some(point.mode(label)?.damping.value)));
+    let frequency =
+        by_mode(|label| pieces(comparison, &|point| Some(point.mode(label)?.frequency)));
     let of_frequency = Figure {
         title: titled(
             "Frequency of every mode against the angle of attack",
@@ -73,19 +66,12 @@ pub(super) fn inertial_coupling(
     let offset = Variable::MASS_CENTRE_DISTANCE;
     centred.set.retain(|own| !own.variable.clashes(offset));
     let centred = exact(&centred, table)?;
-    let points = || comparison.points.iter();
-    let own = points().map(|point| (point.angle, point.exact.value));
-    let centred: Vec<_> = points().zip(centred).collect();
+    let own = pieces(comparison, &|point| Some(point.exact.value));
+    let angles = comparison.at_all_angles().into_iter().zip(centred);
     // The curve has a gap where there is no answer.
-    let pieces = centred.chunk_by(|one, other| one.1.is_some() == other.1.is_some());
-    let piece = |run: &[(&Point, Option<Value>)]| -> Vec<(f64, f64)> {
-        let known = run.iter();
-        known
-            .filter_map(|(point, exact)| Some((point.angle, exact.as_ref()?.value)))
-            .collect()
-    };
-    let mut pieces: Vec<Vec<(f64, f64)>> = pieces.map(piece).collect();
-    pieces.retain(|own| !own.is_empty());
+    let centred: Vec<_> = angles
+        .map(|((angle, _), exact)| Some((angle, exact?.value)))
+        .collect();
     let curve = |label: String, stroke, pieces: Vec<Vec<(f64, f64)>>| Curve {
         label,
         stroke,
@@ -100,8 +86,8 @@ pub(super) fn inertial_coupling(
             &comparison.case,
         ),
         curves: vec![
-            curve(with, Stroke::Solid, vec![own.collect()]),
-            curve(without, Stroke::Dashed, pieces),
+            curve(with, Stroke::Solid, own),
+            curve(without, Stroke::Dashed, without_gaps(&centred)),
         ],
         ..stability_figure::figure(comparison)
     })

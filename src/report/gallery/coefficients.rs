@@ -2,7 +2,7 @@
 
 use crate::report::figure::{Curve, Figure, Stroke};
 use crate::report::stability::sweep;
-use crate::report::stability_figure::{set, titled};
+use crate::report::stability_figure::{angle_axis, pieces, set, titled};
 use crate::stability::coefficient_table::{CoefficientTable, Row};
 use crate::stability::comparison::Comparison;
 use crate::stability::forces::Coefficients;
@@ -39,7 +39,7 @@ pub(super) fn coefficients(
     let case = &comparison.case;
     let base = Figure {
         subtitle: set(case, &sweep(comparison)),
-        x_label: "angle of attack α (degrees)".into(),
+        x_label: angle_axis(case),
         is_angle: true,
         ..Figure::default()
     };
@@ -68,13 +68,10 @@ pub(super) fn coefficients(
 }
 
 fn curve(comparison: &Comparison, (name, stroke, value): Named) -> Curve {
-    let points = comparison.points.iter();
-    let known = points.filter_map(|own| Some((own.angle, value(own.coefficients.as_ref()?))));
-    let piece: Vec<(f64, f64)> = known.collect();
     Curve {
         label: name.into(),
         stroke,
-        pieces: [piece].into_iter().filter(|own| !own.is_empty()).collect(),
+        pieces: pieces(comparison, &|own| own.coefficients.as_ref().map(value)),
     }
 }
 

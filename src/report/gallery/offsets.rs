@@ -2,7 +2,7 @@
 
 use crate::report::figure::{Curve, Figure, Own};
 use crate::report::stability::{given, significant};
-use crate::report::stability_figure::{set, titled};
+use crate::report::stability_figure::{set, titled, without_gaps};
 use crate::stability::case::Case;
 use crate::stability::coefficient_table::CoefficientTable;
 use crate::stability::comparison::{Comparison, FollowedMode, angle};
@@ -115,7 +115,7 @@ pub(super) fn offset(
                 let mode = point.modes.iter().find(|mode| mode.label == label)?;
                 Some((point.eccentricity, value(mode)))
             };
-            points.iter().map(value).collect()
+            without_gaps(&points.iter().map(value).collect::<Vec<_>>())
         })
     };
     let damping = Figure {

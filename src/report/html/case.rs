@@ -23,7 +23,7 @@ pub struct CaseView {
     /// What it is, in one line.
     title: String,
     /// `S_3D`
-    coefficient: String,
+    coefficient: &'static str,
     /// SVG.
     figure: String,
     figures: Vec<FigureView>,

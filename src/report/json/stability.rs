@@ -6,7 +6,7 @@ use crate::report::stability::{frequency_in_hertz, reasons};
 use crate::stability::case::Case;
 use crate::stability::coefficient_table::reference::Reference;
 use crate::stability::comparison::{
-    Agreement, AngleRange, Cause, Comparison, FollowedMode, Point, UnstableRange, Value, angle,
+    Agreement, AngleRange, Comparison, FollowedMode, NoBalance, Point, UnstableRange, Value, angle,
 };
 use crate::stability::input::Remark;
 use crate::stability::tolerance::Tolerance;
@@ -27,10 +27,19 @@ struct Compared<'a> {
     free: Vec<&'a str>,
     table: &'a str,
     points: Vec<AtAngle<'a>>,
+    /// The angles without a certain mean twist.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    without_balance: Vec<Without>,
     unstable: Vec<Unstable<'a>>,
     undecided: Vec<Angles>,
     methods: Vec<Agreed<'a>>,
     warnings: Vec<Warning<'a>>,
+}
+
+#[derive(Serialize)]
+struct Without {
+    alpha_deg: f64,
+    reason: String,
 }
 
 #[derive(Serialize)]
@@ -130,6 +139,7 @@ pub fn comparison(comparison: &Comparison) -> String {
             .enumerate()
             .map(|(place, own)| at_angle(own, tolerance(comparison, place), case))
             .collect(),
+        without_balance: comparison.without_balance.iter().map(without).collect(),
         unstable: comparison
             .unstable
             .iter()
@@ -141,9 +151,16 @@ pub fn comparison(comparison: &Comparison) -> String {
     })
 }
 
+fn without(own: &NoBalance) -> Without {
+    Without {
+        alpha_deg: angle(own.angle),
+        reason: own.reason.to_string(),
+    }
+}
+
 fn tolerance(comparison: &Comparison, place: usize) -> Option<Tolerance> {
     let within = comparison.within.as_ref();
-    let within = within.filter(|own| own.cause == Cause::Errors)?;
+    let within = within.filter(|own| own.has_errors())?;
     within.tolerances.get(place).copied()
 }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::report::modes::{ModeFound, ModesFound, Moving, Reading, Shape};
+use crate::report::modes::{DampingCoefficient, ModeFound, ModesFound, Moving, Reading, Shape};
 use crate::report::stability::{
     bound_with, decimal, decimals, degrees, is_unknown, power, significant,
 };
@@ -27,7 +27,7 @@ const UNKNOWN_DIGITS: usize = 2;
 /// Decimals of amplitudes and phases.
 const SHAPE_DECIMALS: i32 = 4;
 
-/// A line a mode: λ, its error, and the frequency in Hz if it oscillates, with its shape below; then S_3D, the
+/// A line a mode: λ, its error, and the frequency in Hz if it oscillates, with its shape below; then S, the
 /// verdict and the warnings.
 pub fn modes(found: &ModesFound) -> String {
     let mut text = found
@@ -52,22 +52,23 @@ pub fn modes(found: &ModesFound) -> String {
             text += &format!("      {}\n", moves(shape));
         }
     }
-    if let Some((damping, error)) = found.damping_coefficient {
-        let unknown = error.is_some_and(|error| !found.is_formula && lost(damping, error));
+    if let Some(damping) = found.damping_coefficient {
+        let DampingCoefficient { name, value, error } = damping;
+        let unknown = error.is_some_and(|error| !found.is_formula && lost(value, error));
         let meaning = match error {
             Some(_) if unknown => ": not a digit of it is certain",
             Some(_) => "",
-            None if damping < 0.0 => ": by this form the section gallops",
+            None if value < 0.0 => ": by this form the section gallops",
             None => ": by this form the section is stable",
         };
-        let (number, within) = number(damping, error, found.is_formula);
+        let (number, within) = number(value, error, found.is_formula);
         // What is certain shows how far.
         let within = if found.is_formula || unknown {
             within
         } else {
             String::new()
         };
-        text += &format!("S_3D = {number}{within}{meaning}\n");
+        text += &format!("{name} = {number}{within}{meaning}\n");
     }
     if let Some(twist) = &found.twist {
         let (shown, within) = (degrees(twist), power(twist.error.to_degrees()));
@@ -85,7 +86,9 @@ pub fn modes(found: &ModesFound) -> String {
     let errors = found.reading.as_ref();
     text += &errors
         .and_then(|own| own.within_errors)
-        .map_or_else(String::new, within_errors);
+        .map_or_else(String::new, |own| {
+            within_errors(own, found.damping_coefficient)
+        });
     for warning in &found.warnings {
         text += &format!("Warning: {warning}\n");
     }
@@ -114,21 +117,23 @@ fn coefficients(reading: &Reading) -> String {
 }
 
 /// What is certain for all coefficients, with the ends of S.
-fn within_errors(own: Tolerance) -> String {
+fn within_errors(own: Tolerance, damping: Option<DampingCoefficient>) -> String {
     let verdict = match own.certainty {
         Certainty::Stable => "it is stable for all of them",
         Certainty::Unstable => "it is unstable for all of them",
         Certainty::Depends => "its stability depends on them",
         Certainty::Open => "this is not decided",
     };
-    let [least, most] = match own.damping {
-        Some(ends) => ends,
-        None => return format!("For all coefficients within their errors: {verdict}\n"),
-    };
     // Rounded outwards.
-    let [least, most] =
-        [(least * 1e6).floor(), (most * 1e6).ceil()].map(|end| decimal(end / 1e6, 6));
-    format!("For all coefficients within their errors: {verdict}, S_3D from {least} to {most}\n")
+    let between = own.damping.map(|[least, most]| {
+        [(least * 1e6).floor(), (most * 1e6).ceil()].map(|end| decimal(end / 1e6, 6))
+    });
+    let between = match (damping.map(|own| own.name), between) {
+        (None, _) => String::new(),
+        (Some(name), Some([least, most])) => format!(", {name} from {least} to {most}"),
+        (Some(name), None) => format!(", and no bounds of {name} are known"),
+    };
+    format!("For all coefficients within their errors: {verdict}{between}\n")
 }
 
 /// `0.845210 Hz`, as far as it is certain; what does not oscillate has none.
@@ -159,7 +164,10 @@ fn lost(value: f64, error: f64) -> bool {
 /// A number and how exact it is: as far as it is certain, or all that a formula gives and how far it is off.
 fn number(value: f64, error: Option<f64>, is_formula: bool) -> (String, String) {
     match error {
-        None if is_formula => (significant(value, FORMULA_DIGITS), String::new()),
+        None if is_formula => (
+            significant(value, FORMULA_DIGITS),
+            ", off by an unknown amount".to_string(),
+        ),
         None => (decimal(value, USUAL_DECIMALS), String::new()),
         Some(error) if is_formula => (
             significant(value, FORMULA_DIGITS),
@@ -222,7 +230,11 @@ mod tests {
             method: "state",
             is_formula: false,
             modes: vec![mode(-1.0, TAU / 3.0), mode(0.02, 0.0), mode(0.04, 0.0)],
-            damping_coefficient: Some((-16.8, Some(4e3 * error))),
+            damping_coefficient: Some(DampingCoefficient {
+                name: "S_3D",
+                value: -16.8,
+                error: Some(4e3 * error),
+            }),
             verdict: Verdict::Stable(Proof::Errors),
             diverges,
             reading: None,

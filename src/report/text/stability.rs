@@ -51,7 +51,7 @@ fn unstable(page: &mut Page, comparison: &Comparison) {
     if !comparison.unstable.is_empty() {
         let step = comparison.case.angles.step;
         page.heading(&format!("Unstable ranges, in steps of {step}°"));
-        let heading = ["angles", "worst at", &name, "frequency", "mode"].map(str::to_string);
+        let heading = ["angles", "worst at", name, "frequency", "mode"].map(str::to_string);
         let cells = |own: &UnstableRange| {
             let of_mode = |text: &dyn Fn(&FollowedMode) -> String| {
                 own.mode.as_ref().map_or(String::new(), text)

@@ -2,7 +2,7 @@
 
 use super::Case;
 use crate::stability::coefficient_table::CoefficientTable;
-use crate::stability::coefficient_table::scatter::scatter;
+use crate::stability::coefficient_table::scatter::{scatter, slopes};
 use crate::stability::input::{Place, Remark};
 use crate::stability::interpolation::Interpolation;
 
@@ -11,6 +11,7 @@ impl Case {
     /// the coefficients are smaller than that.
     pub fn scatter_remark(&self, table: &CoefficientTable) -> Option<Remark> {
         let found = scatter(table);
+        let of_slopes = slopes(table, found);
         let largest = |column: usize| {
             let errors = table.rows().iter().map(|row| row.errors[column]);
             errors.fold(0.0, f64::max)
@@ -18,8 +19,15 @@ impl Case {
         let parts = ["CD", "CL", "CM"].into_iter().enumerate();
         let parts: Vec<String> = parts
             .filter(|(column, _)| found[*column] > largest(*column))
-            .map(|(column, name)| format!("{name} by {:.1e}", found[column]))
+            .map(|(column, name)| {
+                let (own, slope) = (found[column], of_slopes[column]);
+                format!("{name} by {own:.1e}, d{name} by {slope:.1e}")
+            })
             .collect();
+        // Of derivatives that the table gives no scatter is known.
+        if table.has_slopes() {
+            return None;
+        }
         let has_errors = self.errors.is_some() || table.has_errors();
         let what = match (has_errors, self.interpolation) {
             _ if parts.is_empty() => return None,
@@ -29,15 +37,15 @@ impl Case {
             }
             (false, Interpolation::Smooth) => return None,
             (false, _) => {
-                "and derivatives of curves through all rows are mostly that: say `interpolation = \"smooth\"`, and \
-                 give the `errors` of the coefficients"
+                "and curves go through all rows: say `interpolation = \"smooth\"`, or give the `errors` of the \
+                 coefficients"
             }
         };
         Some(Remark {
             place: Place::file(table.file()),
             what: format!(
                 "the numbers scatter about smooth curves ({}), {what}",
-                parts.join(", ")
+                parts.join("; ")
             ),
         })
     }

@@ -73,8 +73,15 @@ impl Columns {
             }
         };
         let mut places = [0; 4];
+        let mut lacking = Vec::new();
         for (own, (wanted, name)) in places.iter_mut().zip(NEEDED) {
-            *own = find(wanted)?.ok_or_else(|| missing(place, heading, name, names))?;
+            match find(wanted)? {
+                Some(found) => *own = found,
+                None => lacking.push(name),
+            }
+        }
+        if let [name, ..] = lacking.as_slice() {
+            return Err(missing(place, heading, name, &lacking, names));
         }
         let unit = |place: usize| meanings[place].and_then(|(_, unit)| unit);
         let mut slopes = [None; 3];
@@ -164,8 +171,14 @@ fn twice(place: &Place, heading: &[String], first: usize, second: usize) -> Inpu
     InputError::new(place.clone(), what, "keep one of them")
 }
 
-/// A column that is not there, with one that may be meant.
-fn missing(place: &Place, heading: &[String], name: &str, names: &Names) -> InputError {
+/// Columns that are not there, with one that may be meant by the first of them.
+fn missing(
+    place: &Place,
+    heading: &[String],
+    name: &str,
+    lacking: &[&str],
+    names: &Names,
+) -> InputError {
     if let Some(number) = heading.iter().find(|own| own.parse::<f64>().is_ok()) {
         let number = quoted(number);
         let what = format!("the first row begins its columns with a number, {number}");
@@ -188,14 +201,24 @@ fn missing(place: &Place, heading: &[String], name: &str, names: &Names) -> Inpu
                 .take(MOST_NAMED)
                 .map(|own| quoted(own))
                 .collect();
-            let what = format!("no column means {name}; there are {}", there.join(", "));
+            let what = format!(
+                "no column means {}; there are {}",
+                lacking.join(", or "),
+                there.join(", ")
+            );
             (what, HELP.to_string())
         }
     };
-    if heading.iter().any(|own| unknown(&own)) {
-        help += &format!(
-            "; if a column has another name, say so in [section] of the case: columns = {{ {name} = \"its name\" }}"
-        );
+    let mapped: Vec<String> = lacking
+        .iter()
+        .map(|own| format!("{own} = \"its name\""))
+        .collect();
+    help += &format!(
+        "; if a column has another name, say so in [section] of the case: columns = {{ {} }}",
+        mapped.join(", ")
+    );
+    if lacking.contains(&COLUMNS[3]) {
+        help += "; where theta is held CM does nothing, and a column of 0 will do";
     }
     InputError::new(place.clone(), what, help)
 }

@@ -3,7 +3,7 @@
 use super::angle::ONE_ANGLE;
 use super::column::Column;
 use super::oddity::{Oddity, oddities};
-use super::{CoefficientTable, Row};
+use super::{CoefficientTable, Row, short};
 use crate::stability::input::{Place, Remark};
 
 /// Steps above this, in degrees, are said to distort the range in which a section gallops.
@@ -15,13 +15,13 @@ const NOTHING: f64 = 1e-3;
 /// What is odd about a table, in the order in which one should look at it.
 ///
 /// What was not used, sorted or left out as the table was read comes first. Looked for
-/// are angles that seem to be in radians, ends that are read as one angle, holes and cells that are hardly there, drag
+/// are angles that seem to be in another unit, ends that are read as one angle, holes and cells that are hardly there, drag
 /// below 0, numbers that do not fit those beside, derivatives that seem to be per degree, steps too coarse for
 /// derivatives, and jumps at 0°, 180° and 360° of a curve that is its own mirror image.
 /// n log n in the number of rows.
 pub fn remarks(table: &CoefficientTable) -> Vec<Remark> {
     let mut remarks = table.notes.clone();
-    remarks.extend(radians(table));
+    remarks.extend(mistaken_unit(table));
     remarks.extend(joined_ends(table));
     remarks.extend(holes(table));
     remarks.extend(narrow_cells(table));
@@ -35,8 +35,13 @@ pub fn remarks(table: &CoefficientTable) -> Vec<Remark> {
     remarks
 }
 
+/// Angles that seem to be in another unit than they are read in.
+pub fn mistaken_unit(table: &CoefficientTable) -> Option<Remark> {
+    radians(table).or_else(|| table.beyond_a_turn())
+}
+
 /// Angles that seem to be in radians.
-pub fn radians(table: &CoefficientTable) -> Option<Remark> {
+fn radians(table: &CoefficientTable) -> Option<Remark> {
     let rows = table.rows();
     let (first, last) = (rows[0], rows[rows.len() - 1]);
     let largest = first.angle.abs().max(last.angle.abs());
@@ -255,11 +260,6 @@ fn named(
         last.what += &format!("; and so in {} cells more", cells.len() - MOST_NAMED);
     }
     remarks
-}
-
-/// A width in degrees, without the rounding of a difference.
-fn short(degrees: f64) -> f64 {
-    (degrees * 1e9).round() / 1e9
 }
 
 fn coarse_steps(table: &CoefficientTable) -> Option<Remark> {

@@ -1,5 +1,7 @@
 //! How much the numbers of a table scatter.
 
+use std::f64::consts::SQRT_2;
+
 use super::{CoefficientTable, Row};
 
 /// Scatter below this share of what a coefficient varies by is that of its rounding.
@@ -38,6 +40,15 @@ pub fn scatter(table: &CoefficientTable) -> [f64; 3] {
             false => 0.0,
         }
     })
+}
+
+/// By how much the slopes between neighbouring rows scatter, per radian, where these do so by such standard deviations: in
+/// the middle of all steps.
+pub fn slopes(table: &CoefficientTable, deviations: [f64; 3]) -> [f64; 3] {
+    let steps = table.rows().windows(2);
+    let steps: Vec<f64> = steps.map(|pair| pair[1].angle - pair[0].angle).collect();
+    let step = median(&steps).to_radians();
+    deviations.map(|own| SQRT_2 * own / step)
 }
 
 /// The fourth divided difference of five rows, in units of an error of one of them.

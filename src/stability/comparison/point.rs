@@ -19,6 +19,8 @@ use crate::stability::verdict::{Verdict, verdict};
 /// What the methods say at an angle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
+    /// Which angle of the sweep it is, from 0.
+    pub place: usize,
     /// α, in degrees.
     pub angle: f64,
     /// The coefficients there; `None` where S_a is set in place of them.
@@ -62,13 +64,13 @@ impl Point {
     }
 }
 
-/// The points at these angles, and the modes there, which have no numbers yet.
+/// The points at these angles with their places in the sweep, and the modes there, which have no numbers yet.
 ///
 /// # Errors
 ///
 /// That of the first section without an answer, and its angle.
 pub(super) fn points(
-    angles: &[f64],
+    angles: &[(usize, f64)],
     sections: &[Section],
     twists: &[Option<Twist>],
 ) -> Result<Vec<(Point, Modes)>, (f64, StabilityError)> {
@@ -77,18 +79,18 @@ pub(super) fn points(
     let [uniform] = batch.uniform_forms([Order::Second]);
     let forms = batch.closed_forms().into_iter().zip(uniform);
     let rows = angles.iter().zip(sections).zip(eigenvalues).zip(forms);
-    let point =
-        |((((angle, section), found), forms), twist): ((((&f64, _), _), _), &Option<Twist>)| {
-            let (point, modes) =
-                point(*angle, section, found, forms).map_err(|error| (*angle, error))?;
-            let twist = *twist;
-            Ok((Point { twist, ..point }, modes))
-        };
-    rows.zip(twists).map(point).collect()
+    let rows = rows.zip(twists);
+    let points = rows.map(|((((&at, section), found), forms), twist)| {
+        let found = point(at, section, found, forms);
+        let (point, modes) = found.map_err(|error| (at.1, error))?;
+        let twist = *twist;
+        Ok((Point { twist, ..point }, modes))
+    });
+    points.collect()
 }
 
 fn point(
-    angle: f64,
+    (place, angle): (usize, f64),
     section: &Section,
     found: Option<[Eigenvalue; 3]>,
     (closed, uniform): (Estimate, Estimate),
@@ -102,6 +104,7 @@ fn point(
     let scaled_damping = section.scaled_damping_norm();
     let ratio = section.relative_wind() * scaled_damping / section.eccentricity();
     let point = Point {
+        place,
         angle,
         coefficients: section.parameters().forces.coefficients().copied(),
         twist: None,

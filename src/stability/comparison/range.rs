@@ -59,13 +59,28 @@ pub struct UnstableRange {
 
 /// The points for which something holds, in runs without a gap.
 fn runs(points: &[Point], holds: impl Fn(&Point) -> bool) -> Vec<&[Point]> {
-    let groups = points.chunk_by(|one, other| holds(one) == holds(other));
+    let groups = points.chunk_by(|one, next| holds(one) == holds(next) && follows(one, next));
     groups.filter(|group| group.iter().all(&holds)).collect()
+}
+
+/// Whether the sweep goes from one point to the next: no angle without a section is between them.
+fn follows(one: &Point, next: &Point) -> bool {
+    one.place + 1 == next.place
 }
 
 /// The ranges of the points for which something holds.
 pub(super) fn ranges(points: &[Point], holds: impl Fn(&Point) -> bool) -> Vec<AngleRange> {
     runs(points, holds).into_iter().filter_map(range).collect()
+}
+
+/// The ranges of angles with their places in a sweep.
+pub(super) fn joined(angles: &[(usize, f64)]) -> Vec<AngleRange> {
+    let runs = angles.chunk_by(|one, next| one.0 + 1 == next.0);
+    let range = |run: &[(usize, f64)]| AngleRange {
+        from: run[0].1,
+        to: run[run.len() - 1].1,
+    };
+    runs.map(range).collect()
 }
 
 fn range(run: &[Point]) -> Option<AngleRange> {

@@ -33,18 +33,21 @@ pub enum Cause {
 }
 
 impl Within {
-    /// Where something is certain.
-    pub fn ranges(&self, points: &[Point], certainty: Certainty) -> Vec<AngleRange> {
+    /// Whether the table or the case gives errors.
+    pub fn has_errors(&self) -> bool {
+        self.cause == Cause::Errors
+    }
+
+    /// Where something holds of what is known.
+    pub fn ranges(&self, points: &[Point], holds: impl Fn(&Tolerance) -> bool) -> Vec<AngleRange> {
         let angles = points.iter().zip(&self.tolerances);
         let angles: Vec<f64> = angles
-            .filter(|(_, own)| own.certainty == certainty)
+            .filter(|(_, own)| holds(own))
             .map(|(point, _)| point.angle)
             .collect();
         ranges(points, |point| angles.contains(&point.angle))
     }
-}
 
-impl Within {
     /// That the scatter of the table alone may turn verdicts, if it may.
     pub(super) fn remark(
         &self,
@@ -56,11 +59,9 @@ impl Within {
             return None;
         };
         let may_turn =
-            |own: &&Tolerance| matches!(own.certainty, Certainty::Depends | Certainty::Open);
-        let count = self.tolerances.iter().filter(may_turn).count();
-        let mut turned = self.ranges(points, Certainty::Depends);
-        turned.extend(self.ranges(points, Certainty::Open));
-        turned.sort_by(|one, other| one.from.total_cmp(&other.from));
+            |own: &Tolerance| matches!(own.certainty, Certainty::Depends | Certainty::Open);
+        let count = self.tolerances.iter().filter(|own| may_turn(own)).count();
+        let turned = self.ranges(points, may_turn);
         let parts = ["CD", "CL", "CM"].into_iter().zip(found);
         let parts: Vec<String> = parts
             .filter(|(_, own)| *own > 0.0)
@@ -69,8 +70,9 @@ impl Within {
         (count > 0).then(|| Remark {
             place: Place::file(table.file()),
             what: format!(
-                "the numbers scatter about smooth curves ({}); twice that may turn the verdict at {count} of {} angles \
-                 ({}): {}give the `errors` of the coefficients",
+                "the numbers scatter about smooth curves ({}); twice that, in each row by itself, may turn the \
+                 verdict at {count} of {} angles ({}): {}give the `errors` of the coefficients; of these the worst are \
+                 taken in all rows at once, which may turn it at more angles",
                 parts.join(", "),
                 points.len(),
                 listed(&turned),

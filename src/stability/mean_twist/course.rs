@@ -98,6 +98,8 @@ fn joined(parts: &[Part]) -> Part {
 }
 
 /// A part whose ends have the signs of the parts beside, where these are apart from 0.
+///
+/// Where the table ends in balance only one side of it is known, and is all that counts.
 fn with_signs_beside(parts: &[Part], place: usize) -> Part {
     let sign = |place: Option<usize>| match parts.get(place?)?.course {
         Some(Course::Apart(sign)) => Some(sign),
@@ -105,10 +107,12 @@ fn with_signs_beside(parts: &[Part], place: usize) -> Part {
     };
     let own = parts[place];
     let beside = [sign(place.checked_sub(1)), sign(Some(place + 1))];
-    Part {
-        signs: [0, 1].map(|end| own.signs[end].or(beside[end])),
-        ..own
-    }
+    let is_last = [place == 0, place + 1 == parts.len()];
+    let signs = [0, 1].map(|end| match (own.signs[end], own.signs[1 - end]) {
+        (Some(Ordering::Equal), Some(other)) if is_last[end] => Some(other.reverse()),
+        (sign, _) => sign.or(beside[end]),
+    });
+    Part { signs, ..own }
 }
 
 /// What a part holds, if it holds a balance or is not known to hold none.
