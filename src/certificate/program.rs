@@ -4,7 +4,6 @@ use sextic_codegen::program::{Node, Operation, Program};
 
 use crate::compile::specification::{Refusal, Specification};
 use crate::language::evaluator::Evaluator;
-use crate::language::syntax::Expression;
 
 use super::claim::named;
 use super::composer::Composer;
@@ -26,7 +25,8 @@ pub(super) fn add_program(composer: &mut Composer<'_>, evaluator: &Evaluator, li
         "\n(* {name}, operation by operation, as it is emitted *)\n"
     ));
     let number = composer.entries.len();
-    let theorems = theorems(composer, evaluator);
+    let theorems = specified(composer, evaluator)
+        .and_then(|specification| theorems(composer, evaluator, &specification));
     let certificate = match theorems {
         Ok(theorems) => {
             let all = theorems.into_iter();
@@ -35,10 +35,6 @@ pub(super) fn add_program(composer: &mut Composer<'_>, evaluator: &Evaluator, li
         }
         Err(reason) => {
             composer.text(format!("(* withheld: {} *)\n", comment(&reason)));
-            let outputs = evaluator.outputs.iter();
-            let outputs = outputs.map(|own| evaluator.name.output(&own.name).ascii);
-            let withheld = &mut composer.writer.withheld;
-            withheld.extend(outputs.map(|output| (output, reason.clone())));
             Err(reason)
         }
     };
@@ -51,39 +47,60 @@ pub(super) fn add_program(composer: &mut Composer<'_>, evaluator: &Evaluator, li
     });
 }
 
+/// What an evaluator is to compute, if that is not too large; if it is, its outputs are withheld from claims, too.
+fn specified(
+    composer: &mut Composer<'_>,
+    evaluator: &Evaluator,
+) -> Result<Specification, Withheld> {
+    let specification = Specification::of(evaluator, composer.audit, &[]);
+    let specification = specification.map_err(|refusal| refusal.to_string())?;
+    let most = terms(&specification.evaluator.program).into_iter().max();
+    let Some(most) = most.filter(|most| *most > MOST_TERMS) else {
+        return Ok(specification);
+    };
+    let reason = format!("multiplied out it has {most} terms");
+    let outputs = evaluator.outputs.iter();
+    let outputs = outputs.map(|own| evaluator.name.output(&own.name).ascii);
+    let withheld = &mut composer.writer.withheld;
+    withheld.extend(outputs.map(|output| (output, reason.clone())));
+    Err(reason)
+}
+
 /// For each output, that what its operations give is what the document says.
-fn theorems(composer: &mut Composer<'_>, evaluator: &Evaluator) -> Result<Vec<Theorem>, Withheld> {
-    let refused = |refusal: Refusal| refusal.to_string();
-    let specification = Specification::of(evaluator, composer.audit, &[]).map_err(refused)?;
-    let program = &specification.evaluator.program;
-    let most = terms(program).into_iter().max().unwrap_or_default();
-    if most > MOST_TERMS {
-        return Err(format!("multiplied out it has {most} terms"));
-    }
-    let conditions = specification.conditions().map_err(refused)?;
-    let mut given = composer.conditions(&conditions)?;
-    for relation in &evaluator.conditions {
-        given.push(composer.hypothesis(relation)?);
-    }
-    let given = composer.given(&given);
+fn theorems(
+    composer: &mut Composer<'_>,
+    evaluator: &Evaluator,
+    specification: &Specification,
+) -> Result<Vec<Theorem>, Withheld> {
+    let given = given(composer, evaluator, specification)?;
     let written = specification.written.iter();
     let written = written.map(|own| composer.writer.side(own));
     let written = written.collect::<Result<Vec<_>, _>>()?;
-    let inputs = specification.written_inputs().map_err(refused)?;
-    let name = &evaluator.name.ascii;
-    let values = operations(composer, name, program, &inputs)?;
+    let (name, program) = (&evaluator.name.ascii, &specification.evaluator.program);
+    let values = operations(composer, specification)?;
     let outputs = program.outputs().iter().zip(written);
     let theorem = |((output, node), written): (&(String, Node), String)| {
         let value = &values[node.index()];
         let statement = format!("{given} |=\n  {value}\n  == {written}");
-        named(
-            composer,
-            format!("program_{name}_{output}"),
-            statement,
-            Rule::Check,
-        )
+        let name = format!("program_{name}_{output}");
+        named(composer, name, statement, Rule::Check)
     };
     Ok(outputs.map(theorem).collect())
+}
+
+/// Under what its outputs need, and what the document says that it is for.
+fn given(
+    composer: &Composer<'_>,
+    evaluator: &Evaluator,
+    specification: &Specification,
+) -> Result<String, Withheld> {
+    let conditions = specification.conditions();
+    let conditions = conditions.map_err(|refusal: Refusal| refusal.to_string())?;
+    let mut given = composer.conditions(&conditions)?;
+    for relation in &evaluator.conditions {
+        given.push(composer.hypothesis(relation)?);
+    }
+    Ok(composer.given(&given))
 }
 
 /// How many terms stand above and below the line of a fraction, where everything is multiplied out and nothing is
@@ -144,13 +161,14 @@ fn terms(program: &Program) -> Vec<u64> {
 /// Defines the value of each operation, and gives the words for it.
 fn operations(
     composer: &mut Composer<'_>,
-    name: &str,
-    program: &Program,
-    inputs: &[Expression],
+    specification: &Specification,
 ) -> Result<Vec<String>, Withheld> {
+    let inputs = specification.written_inputs();
+    let inputs = inputs.map_err(|refusal| refusal.to_string())?;
+    let evaluator = &specification.evaluator;
     let mut values: Vec<String> = Vec::new();
-    for (place, operation) in program.operations().iter().enumerate() {
-        let value = |node: &Node| &values[node.index()];
+    for (place, operation) in evaluator.program.operations().iter().enumerate() {
+        let of = |node: &Node| &values[node.index()];
         let written = match operation {
             Operation::Input(place) => {
                 values.push(composer.writer.argument(&inputs[*place as usize])?);
@@ -160,16 +178,17 @@ fn operations(
                 values.push(number(constant));
                 continue;
             }
-            Operation::Add(a, b) => format!("{} + {}", value(a), value(b)),
-            Operation::Subtract(a, b) => format!("{} - {}", value(a), value(b)),
-            Operation::Multiply(a, b) => format!("{}*{}", value(a), value(b)),
-            Operation::Divide(a, b) => format!("{}/{}", value(a), value(b)),
-            Operation::Negative(a) => format!("- {}", value(a)),
-            Operation::SquareRoot(a) => format!("sqrt {}", value(a)),
+            Operation::Add(a, b) => format!("{} + {}", of(a), of(b)),
+            Operation::Subtract(a, b) => format!("{} - {}", of(a), of(b)),
+            Operation::Multiply(a, b) => format!("{}*{}", of(a), of(b)),
+            Operation::Divide(a, b) => format!("{}/{}", of(a), of(b)),
+            Operation::Negative(a) => format!("- {}", of(a)),
+            Operation::SquareRoot(a) => format!("sqrt {}", of(a)),
         };
-        let own = composer.writer.names.fresh(&format!("{name}_{place}"));
-        composer.text(format!("Definition {own} : expr := {written}.\n"));
-        values.push(own);
+        let names = &mut composer.writer.names;
+        let name = names.fresh(&format!("{}_{place}", evaluator.name));
+        composer.text(format!("Definition {name} : expr := {written}.\n"));
+        values.push(name);
     }
     Ok(values)
 }
