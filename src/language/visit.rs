@@ -40,14 +40,18 @@ impl Expression {
         }
     }
 
-    /// Calls a function for every name in the expression.
+    /// Calls a function for every name in the expression, from left to right.
     pub fn visit_names(&self, visit: &mut dyn FnMut(&Name)) {
-        self.visit(&mut |own| match &own.node {
+        match &self.node {
             Node::Name(name) | Node::Derivative(name, _) => visit(name),
             Node::Call { function, .. } => visit(function),
-            Node::At(_, Place::Named(name)) => visit(&name.value),
             _ => {}
-        });
+        }
+        let operands = self.operands().into_iter();
+        operands.for_each(|own| own.visit_names(visit));
+        if let Node::At(_, Place::Named(name)) = &self.node {
+            visit(&name.value);
+        }
     }
 
     /// Forgets where it stands, as if the engine had made it.

@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/extensions.md`
 //! - SHA-256 of the document:
-//!   `bcfaf4c9e7e5807ffcd9bd5b1159986418054d34e842dce42581e8bf37de4ac3`
+//!   `65e5931d1728a07be540531d47d4ec21a4ab7a6de0fe27eaa7ab8617e133d8ab`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -160,7 +160,7 @@ pub fn mean_twist_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/extensions.md`
 /// - SHA-256 of the document:
-///   `bcfaf4c9e7e5807ffcd9bd5b1159986418054d34e842dce42581e8bf37de4ac3`
+///   `65e5931d1728a07be540531d47d4ec21a4ab7a6de0fe27eaa7ab8617e133d8ab`
 #[must_use]
 pub fn mean_twist(inputs: &MeanTwistInputs<f64>) -> MeanTwistOutputs<f64> {
     mean_twist_body(inputs)

@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/uniform.md`
 //! - SHA-256 of the document:
-//!   `53e4100407f75deecd4594ecd8e8fafe0b6189d9bf63958e45ad9332d0db4e24`
+//!   `8ed62c24180f11d867a987c66f1377fa89c06071df65c573b032cbac3ff2f0ed`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -372,7 +372,7 @@ pub fn modal_damping_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/uniform.md`
 /// - SHA-256 of the document:
-///   `53e4100407f75deecd4594ecd8e8fafe0b6189d9bf63958e45ad9332d0db4e24`
+///   `8ed62c24180f11d867a987c66f1377fa89c06071df65c573b032cbac3ff2f0ed`
 #[must_use]
 pub fn modal_damping(inputs: &ModalDampingInputs<f64>) -> ModalDampingOutputs<f64> {
     modal_damping_body(inputs)

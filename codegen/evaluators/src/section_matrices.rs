@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/exact-modes.md`
 //! - SHA-256 of the document:
-//!   `498677af61ef2ff972eaf6ee36580db3a5929554e676aa8f4f38a377407e4a33`
+//!   `d79534f3f35e8c4271b6f3cf7ef752bba32d2919de5c47791cdb0c8e2b9ff1ea`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -428,7 +428,7 @@ pub fn section_matrices_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/exact-modes.md`
 /// - SHA-256 of the document:
-///   `498677af61ef2ff972eaf6ee36580db3a5929554e676aa8f4f38a377407e4a33`
+///   `d79534f3f35e8c4271b6f3cf7ef752bba32d2919de5c47791cdb0c8e2b9ff1ea`
 #[must_use]
 pub fn section_matrices(inputs: &SectionMatricesInputs<f64>) -> SectionMatricesOutputs<f64> {
     section_matrices_body(inputs)

@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/extensions.md`
 //! - SHA-256 of the document:
-//!   `bcfaf4c9e7e5807ffcd9bd5b1159986418054d34e842dce42581e8bf37de4ac3`
+//!   `65e5931d1728a07be540531d47d4ec21a4ab7a6de0fe27eaa7ab8617e133d8ab`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -209,7 +209,7 @@ pub fn turn_stiffness_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/extensions.md`
 /// - SHA-256 of the document:
-///   `bcfaf4c9e7e5807ffcd9bd5b1159986418054d34e842dce42581e8bf37de4ac3`
+///   `65e5931d1728a07be540531d47d4ec21a4ab7a6de0fe27eaa7ab8617e133d8ab`
 #[must_use]
 pub fn turn_stiffness(inputs: &TurnStiffnessInputs<f64>) -> TurnStiffnessOutputs<f64> {
     turn_stiffness_body(inputs)
