@@ -11,6 +11,7 @@ pub mod document;
 pub mod entry;
 pub mod expression;
 pub mod kernel;
+mod misfit;
 pub mod name;
 mod point;
 mod program;

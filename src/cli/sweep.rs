@@ -3,6 +3,8 @@
 mod messages;
 #[cfg(feature = "parquet")]
 mod parquet;
+#[cfg(feature = "parquet")]
+mod parts;
 mod rows;
 mod written;
 
@@ -25,6 +27,9 @@ use super::generate::FixedParser;
 use super::output::wrong;
 use super::system::{Which, is_document, numbers, with};
 
+#[cfg(feature = "parquet")]
+use self::parts::Parts;
+use self::rows::Table;
 use self::written::written;
 
 /// Computes a case, or a system that a document derives, at all combinations of values of its quantities
@@ -65,7 +70,21 @@ pub struct Arguments {
     /// The file for the table, .csv or (in builds with Parquet) .parquet; standard output without it
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+
+    /// Write the rows in so many parts, as Parquet files of the folder --out; parts that are there are kept
+    #[cfg(feature = "parquet")]
+    #[arg(long, value_name = "COUNT", requires = "out", value_parser = clap::value_parser!(u64).range(1..=MOST_PARTS))]
+    parts: Option<u64>,
+
+    /// Compute only this one of the parts, counted from 1: other processes or machines compute the others
+    #[cfg(feature = "parquet")]
+    #[arg(long, value_name = "NUMBER", requires = "parts", value_parser = clap::value_parser!(u64).range(1..=MOST_PARTS))]
+    part: Option<u64>,
 }
+
+/// Names of parts have so many digits.
+#[cfg(feature = "parquet")]
+const MOST_PARTS: u64 = 99_999;
 
 /// A method of the sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -110,11 +129,14 @@ example at 361 angles has 14,440,000 of them, and takes a while.
 An interrupted sweep says so, and leaves its rows in a file whose name ends in .part, beside
 the other one. A .parquet file has all digits; what is left of one is a Parquet file as well. Where
 the process is killed nothing can be gone on with, and a file .sextic-… is left to be deleted.
+In parts (in builds with Parquet), each file has the same rows whoever computes it, and has its name
+only when it is whole: where a process is killed, the same command computes what is missing.
 
 Examples:
   sextic sweep case.toml --vary L_g=0:0.004:200 --vary U=2:40:200 --worst --out sweep.csv
   sextic sweep case.toml --vary alpha_deg=30 --vary U=2:40:39
   sextic sweep case.toml --vary zeta=0:0.02:41 --method state,uniform --out sweep.csv
+  sextic sweep case.toml --vary U=2:40:4000 --parts 16 --out sweep
   sextic sweep mine.md --system bridge --set m=2 --vary U=2:40:1000 --out map.csv
 
 Exit status:
@@ -181,7 +203,21 @@ fn of_system(arguments: &Arguments) -> Result<Outcome, Outcome> {
     let evaluator = &chosen.system.evaluator;
     let texts = [&*evaluator.hash, &*evaluator.name, &format!("{values:?}")];
     let identity = identity(arguments, &texts);
-    Ok(written(&sweep, arguments.out.as_deref(), &identity))
+    Ok(write(&sweep, arguments, &identity))
+}
+
+/// Writes the rows as one table, or in parts.
+fn write(table: &dyn Table, arguments: &Arguments, identity: &[String]) -> Outcome {
+    #[cfg(feature = "parquet")]
+    if let (Some(count), Some(folder)) = (arguments.parts, &arguments.out) {
+        let only = arguments.part;
+        if only.is_some_and(|own| own > count) {
+            return wrong("there are fewer parts", "--part counts from 1 to --parts");
+        }
+        let written = Parts { count, only }.write(table, folder, identity);
+        return written.unwrap_or_else(|outcome| outcome);
+    }
+    written(table, arguments.out.as_deref(), identity)
 }
 
 /// The numbers at the first or last values of all that is varied.
@@ -229,11 +265,7 @@ fn of_case(arguments: &Arguments, path: &Path) -> Outcome {
     };
     let set = format!("{:?}", arguments.set);
     let texts = [&*files[0].text, &files[1].text, &set];
-    written(
-        &grid,
-        arguments.out.as_deref(),
-        &identity(arguments, &texts),
-    )
+    write(&grid, arguments, &identity(arguments, &texts))
 }
 
 /// What tells a sweep from others: the texts that it rests on, and what was asked.

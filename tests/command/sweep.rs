@@ -463,3 +463,64 @@ fn an_interrupted_sweep_to_parquet_goes_on() {
     let again = std::fs::read(&out).expect("a file");
     assert!(whole == again, "{} {}", whole.len(), again.len());
 }
+
+/// Parts hold the rows of the whole, whoever computes them: what is there is kept, and what is of another sweep is
+/// refused.
+#[cfg(feature = "parquet")]
+#[test]
+fn parts_hold_the_rows_of_the_whole() {
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+
+    let folder = folder("sweep_parts");
+    let (case, out) = (folder.join("light.toml"), folder.join("set"));
+    let rows = |path: &Path| {
+        let file = std::fs::File::open(path).expect("a file");
+        let reader = SerializedFileReader::new(file).expect("Parquet");
+        let rows = reader.get_row_iter(None).expect("rows");
+        rows.map(|row| row.expect("a row").to_string())
+            .collect::<Vec<_>>()
+    };
+    let sweep = |vary: &str, more: &[&str]| {
+        let most = [
+            "sweep",
+            path(&case),
+            "--vary",
+            vary,
+            "--set",
+            "alpha_deg=30",
+        ];
+        run(&[&most, more].concat())
+    };
+    let (whole, target) = (folder.join("whole.parquet"), path(&out));
+    assert_eq!(sweep("U=2:40:10", &["--out", path(&whole)]).0, Some(0));
+    let in_parts = ["--parts", "3", "--out", target];
+    let (status, out_text, _) = sweep("U=2:40:10", &[&in_parts[..], &["--part", "2"]].concat());
+    let second = out.join("part-00002-of-00003.parquet");
+    assert_eq!(
+        (status, out_text),
+        (Some(0), format!("{}: 3 rows\n", second.display()))
+    );
+    // A killed process leaves no file under the name of a part.
+    std::fs::write(out.join(".sextic-killed"), "half").expect("a file");
+    let (status, _, err) = sweep("U=2:40:10", &in_parts);
+    assert_eq!(status, Some(0), "{err}");
+    assert!(
+        err.contains(&format!("{} is there already", second.display())),
+        "{err}"
+    );
+    let names = (1..=3).map(|own| out.join(format!("part-{own:05}-of-00003.parquet")));
+    assert_eq!(
+        names.flat_map(|own| rows(&own)).collect::<Vec<_>>(),
+        rows(&whole)
+    );
+    let (status, _, err) = sweep("U=2:41:10", &in_parts);
+    assert!(
+        status == Some(2) && err.contains("is no part of this sweep"),
+        "{err}"
+    );
+    let (status, _, err) = sweep("U=2:40:10", &["--parts", "11", "--out", target]);
+    assert!(
+        status == Some(2) && err.contains("10 rows have no 11 parts"),
+        "{err}"
+    );
+}

@@ -22,7 +22,7 @@ const ROOMS: [(&str, &[&str]); 10] = [
     ("compile", &["algebra", "language", "derivation", "verdict"]),
     (
         "certificate",
-        &["algebra", "language", "derivation", "verdict"],
+        &["algebra", "language", "derivation", "verdict", "compile"],
     ),
     ("stability", &["algebra"]),
     (

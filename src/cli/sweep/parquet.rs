@@ -208,6 +208,36 @@ impl Groups {
     }
 }
 
+/// What stands where the rows of a table are to be written.
+pub(super) enum Standing {
+    /// Nothing.
+    Absent,
+    /// As many rows as the table has, of which the last is that of the table.
+    Whole,
+    /// Something else.
+    Other,
+}
+
+/// What stands at a path where the rows of a table are to be written.
+pub(super) fn standing(path: &Path, table: &dyn Table) -> io::Result<Standing> {
+    let file = match File::open(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Standing::Absent),
+        other => other?,
+    };
+    let Ok(file) = SerializedFileReader::new(file) else {
+        return Ok(Standing::Other);
+    };
+    let rows = u64::try_from(file.metadata().file_metadata().num_rows()).unwrap_or(0);
+    let expected = || fields(&table.columns(rows - 1..rows));
+    let is_whole = rows > 0
+        && rows == table.count()
+        && last_row(&file).is_ok_and(|last| last == Some(expected()));
+    Ok(match is_whole {
+        true => Standing::Whole,
+        false => Standing::Other,
+    })
+}
+
 fn is_words(cells: &Cells) -> bool {
     matches!(cells, Cells::Words(_))
 }

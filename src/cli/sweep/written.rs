@@ -74,7 +74,7 @@ fn to_text(table: &dyn Table, path: &Path, identity: &str) -> Result<Outcome, Ou
 }
 
 /// What tells a sweep from others in the name of a file, with this version.
-fn digest(identity: &[String]) -> String {
+pub(super) fn digest(identity: &[String]) -> String {
     let mut hash = Sha256::new();
     for text in identity
         .iter()
