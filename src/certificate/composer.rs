@@ -453,34 +453,13 @@ fn said(description: Option<&str>) -> String {
 
 /// The calls of a function in an expression.
 fn collect_calls(expression: &Expression, name: &str, found: &mut Vec<Expression>) {
-    let mut all = |expressions: &[&Expression]| {
-        expressions
-            .iter()
-            .for_each(|own| collect_calls(own, name, found))
-    };
-    match &expression.node {
-        Node::Number(_) | Node::Name(_) | Node::Derivative(..) => {}
-        Node::Negative(operand) => all(&[operand]),
-        Node::Binary(_, left, right) => all(&[left, right]),
-        Node::Matrix(rows) => rows.iter().flatten().for_each(|own| all(&[own])),
-        Node::Index(base, _) => all(&[base]),
-        Node::At(inner, place) => {
-            all(&[inner]);
-            if let Place::Replacements(replacements) = place {
-                replacements.iter().for_each(|one| all(&[&one.value]));
-            }
+    expression.visit(&mut |own| {
+        if let Node::Call { function, .. } = &own.node
+            && function.ascii == name
+        {
+            found.push(own.clone());
         }
-        Node::Call {
-            function,
-            arguments,
-            ..
-        } => {
-            arguments.iter().for_each(|own| all(&[own]));
-            if function.ascii == name {
-                found.push(expression.clone());
-            }
-        }
-    }
+    });
 }
 
 /// The words of a statement, for a comment above it.

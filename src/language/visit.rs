@@ -5,6 +5,31 @@ use std::collections::BTreeSet;
 use super::syntax::{Expression, Name, Node, Place};
 
 impl Expression {
+    /// Calls a function for the expression and all that it consists of, from left to right.
+    pub fn visit<'a>(&'a self, visit: &mut dyn FnMut(&'a Expression)) {
+        visit(self);
+        for part in self.parts() {
+            part.visit(visit);
+        }
+    }
+
+    /// What it consists of; of replacements, what stands there then.
+    fn parts(&self) -> Vec<&Expression> {
+        match &self.node {
+            Node::Number(_) | Node::Name(_) | Node::Derivative(..) => Vec::new(),
+            Node::Negative(inner) => vec![inner],
+            Node::Binary(_, left, right) => vec![left, right],
+            Node::Call { arguments, .. } => arguments.iter().collect(),
+            Node::Matrix(rows) => rows.iter().flatten().collect(),
+            Node::Index(matrix, indices) => [&**matrix].into_iter().chain(indices).collect(),
+            Node::At(inner, Place::Named(_)) => vec![inner],
+            Node::At(inner, Place::Replacements(replacements)) => {
+                let values = replacements.iter().map(|own| &own.value);
+                [&**inner].into_iter().chain(values).collect()
+            }
+        }
+    }
+
     /// Calls a function for every name in the expression, from left to right.
     pub fn visit_names(&self, visit: &mut dyn FnMut(&Name)) {
         match &self.node {

@@ -2,6 +2,7 @@
 
 mod dependence;
 mod edit;
+mod exchange;
 mod likeness;
 
 use super::audit::{Audit, Library, Part, audit_part};
@@ -102,11 +103,15 @@ impl<'a> Mutation<'a> {
     fn fate(&self, subject: &Subject, parts: &[(usize, Part)], edit: &Edit) -> Fate {
         let source = self.audits[subject.document].source();
         let texts = self.texts(subject.document, &edit.applied(&source.text));
-        let is_noticed = |(place, part): &(usize, Part)| self.is_noticed(&texts, *place, part);
+        let declaring = self.dependence.declaring(subject.document, &edit.name());
+        let is_noticed = |(place, part): &(usize, Part)| {
+            let part = self.dependence.with(part, declaring);
+            self.is_noticed(&texts, *place, &part)
+        };
         if parts.iter().any(is_noticed) {
             return Fate::Noticed;
         }
-        match self.is_equal(subject, edit) {
+        match self.is_equal(subject, edit, declaring) {
             true => Fate::Equal,
             false => Fate::Survives,
         }
@@ -130,12 +135,13 @@ impl<'a> Mutation<'a> {
         audit_part(source, texts, part).is_none_or(|audit| !audit.as_expected())
     }
 
-    /// Whether a definition is equal to what it was.
-    fn is_equal(&self, subject: &Subject, edit: &Edit) -> bool {
+    /// Whether a definition is equal to what it was, given the statement that declares the name that is new in it.
+    fn is_equal(&self, subject: &Subject, edit: &Edit, declaring: Option<usize>) -> bool {
         let Some((text, line)) = edit.compared(&self.audits[subject.document].source().text) else {
             return false;
         };
-        let part = self.dependence.alone(subject.place, line);
+        let statements = [subject.place].into_iter().chain(declaring);
+        let part = self.dependence.alone(statements, line);
         let texts = self.texts(subject.document, &text);
         audit_part(&texts.edited, &texts, &part).is_some_and(|audit| {
             let claim = audit.claims.first();

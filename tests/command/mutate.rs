@@ -85,6 +85,51 @@ fn what_is_equal_is_told_apart() {
     assert_eq!(found["documents"][0]["equal"], json!(1));
 }
 
+#[test]
+fn neighbours_are_exchanged() {
+    let text = "```sextic
+parameter a, b, c : 1
+own := [a, b; c, c]
+one, other := a*b, b*c
+evaluator (1) pair: p = [one; other], q = one
+named := pair.q
+coordinate x, y : m
+system (2) moved: mass [a, 0; 0, b] stiffness identity(2) in x, y
+```
+";
+    let (_, found) = mutated("exchanged.md", text);
+    let survivors = survivors(&found);
+    let exchanged = [
+        "3: a, b → b, a",
+        "3: b; c → c; b",
+        "4: a*b, b*c → b*c, a*b",
+        "5: one; other → other; one",
+        "5: [one; other], q = one → one, q = [one; other]",
+        "8: 0; 0 → 0; 0",
+    ];
+    for edit in exchanged {
+        assert!(survivors.contains(&edit.to_string()), "{edit}");
+    }
+}
+
+#[test]
+fn a_name_is_known_where_nothing_else_needs_it() {
+    let text = "```sextic
+parameter a, b : 1
+sum := a + b
+turned := b + a
+claim (1): turned == sum
+evaluator (2) pair: p = sum, q = turned
+one := sum
+other := pair.p
+claim (3): [one; other] == [b + a; a + b]
+```
+";
+    let (status, found) = mutated("known.md", text);
+    assert_eq!((status, survivors(&found)), (Some(0), Vec::new()));
+    assert_eq!(found["documents"][0]["equal"], json!(2));
+}
+
 /// Edits that nothing notices in the documents that come with the command, each as often as it is listed, with the
 /// reason why that does no harm.
 #[test]

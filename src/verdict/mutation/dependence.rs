@@ -9,6 +9,8 @@ use crate::verdict::audit::{Audit, Part};
 /// The statements of documents that import each other, and which of them each builds on.
 pub(super) struct Dependence {
     statements: Vec<Dependent>,
+    /// What is declared in each document.
+    declared: Vec<Declared>,
 }
 
 /// A statement and what it builds on.
@@ -43,7 +45,10 @@ impl Dependence {
             }
             declared.push(names);
         }
-        let mut dependence = Dependence { statements };
+        let mut dependence = Dependence {
+            statements,
+            declared,
+        };
         let all = documents.iter().flatten().enumerate();
         let assumptions = all.filter(|(_, own)| matches!(own.kind, StatementKind::Assume { .. }));
         for (place, _) in assumptions.collect::<Vec<_>>() {
@@ -117,12 +122,27 @@ impl Dependence {
         parts
     }
 
-    /// A statement without a claim, and one that was added on another line of its document.
-    pub(super) fn alone(&self, statement: usize, added: usize) -> Part {
-        let mut part = self.part([&statement]);
-        let lines = part
-            .entry(self.statements[statement].path.clone())
-            .or_default();
+    /// The statement that gives a name its meaning in a document.
+    pub(super) fn declaring(&self, document: usize, name: &Name) -> Option<usize> {
+        self.declared[document].declaring(name)
+    }
+
+    /// A part with one more statement, and what that needs; a whole document has it already.
+    pub(super) fn with(&self, part: &Part, statement: Option<usize>) -> Part {
+        let mut part = part.clone();
+        let needed = self.needed(statement.filter(|_| !part.is_empty()));
+        for own in needed.into_iter().map(|place| &self.statements[place]) {
+            part.entry(own.path.clone()).or_default().insert(own.line);
+        }
+        part
+    }
+
+    /// Statements without a claim, and one that was added on another line of the document of the first.
+    pub(super) fn alone(&self, statements: impl IntoIterator<Item = usize>, added: usize) -> Part {
+        let statements: Vec<usize> = statements.into_iter().collect();
+        let mut part = self.part(&statements);
+        let path = statements.first().map(|own| &self.statements[*own].path);
+        let lines = part.entry(path.cloned().unwrap_or_default()).or_default();
         let moved = |line: usize| if line < added { line } else { line + 1 };
         *lines = lines.iter().copied().map(moved).chain([added]).collect();
         part
@@ -165,6 +185,15 @@ impl Declared {
         let at = |name: &Name| (name.ascii.clone(), place);
         self.names.extend(intent.declares.iter().map(at));
         self.compiled.extend(intent.compiled.iter().map(at));
+    }
+
+    /// The statement that gives a name its meaning, if there is one.
+    fn declaring(&self, name: &Name) -> Option<usize> {
+        let place = match name.of_output() {
+            Some((owner, _)) => self.compiled.get(&owner.ascii),
+            None => self.names.get(&name.ascii),
+        };
+        place.copied()
     }
 
     /// On what a statement builds.
