@@ -258,7 +258,8 @@ impl Reader<'_> {
             .polynomial_signs(difference.numerator());
         let known = known.map_err(|error| algebra(error, span))?;
         match known.intersection(wanted) == Signs::NONE {
-            true => Err(contradiction("condition", known, span)),
+            true => Err(contradiction("condition", known, span)
+                .with_help("nothing would ever satisfy it: correct one of the two")),
             false => Ok(()),
         }
     }
