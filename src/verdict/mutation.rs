@@ -15,8 +15,9 @@ use crate::language::syntax::{Statement, StatementKind};
 use dependence::Dependence;
 pub use edit::Edit;
 
-/// How many claims are judged before the others, as those that an edit is most likely to turn.
-const FIRST: usize = 4;
+/// How many claims are judged before the others, as those that an edit is most likely to turn: first the nearest alone,
+/// since others may take long once it is wrong what they build on.
+const FIRST: [usize; 2] = [1, 4];
 
 /// What becomes of an edit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,7 +86,7 @@ impl<'a> Mutation<'a> {
     /// What becomes of each edit of a statement: what does not build on it is not judged again, and the nearest claims
     /// come first.
     pub fn fates(&self, subject: &Subject) -> Vec<Fate> {
-        let parts = self.dependence.parts(subject.place, FIRST);
+        let parts = self.dependence.parts(subject.place, &FIRST);
         let parts: Vec<_> = parts.into_iter().map(|own| self.sound(own)).collect();
         let edits = subject.edits.iter();
         edits.map(|edit| self.fate(subject, &parts, edit)).collect()

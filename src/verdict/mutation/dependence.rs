@@ -97,29 +97,26 @@ impl Dependence {
         claims
     }
 
-    /// What is judged after an edit of a statement, one part after the other: the nearest claims that build on it, so
-    /// many, then the others, then those of each other document; the places of the documents beside.
-    pub(super) fn parts(&self, statement: usize, first: usize) -> Vec<(usize, Part)> {
+    /// What is judged after an edit of a statement, one part after the other: the nearest claims that build on it, up to
+    /// so many of them each time, then the others, then those of each other document; the places of the documents beside.
+    pub(super) fn parts(&self, statement: usize, first: &[usize]) -> Vec<(usize, Part)> {
         let claims = self.claims_on(statement);
         let document = self.statements[statement].document;
         let is_own = |place: &&usize| self.statements[**place].document == document;
         let count = claims.iter().take_while(is_own).count();
         let (here, elsewhere) = claims.split_at(count);
-        let (near, far) = here.split_at(first.min(here.len()));
+        // The statement itself may be refused, whether or not a claim builds on it.
+        let alone = here.is_empty().then_some(here);
         let others = elsewhere.chunk_by(|one, other| {
             self.statements[*one].document == self.statements[*other].document
         });
-        // The statement itself may be refused, whether or not a claim builds on it.
-        let mut parts = vec![(document, self.part(near.iter().chain([&statement])))];
-        for claims in [far]
-            .into_iter()
-            .chain(others)
-            .filter(|own| !own.is_empty())
-        {
-            let own = self.statements[claims[0]].document;
-            parts.push((own, self.part(claims.iter().chain([&statement]))));
-        }
-        parts
+        let all = alone.into_iter().chain(pieces(here, first)).chain(others);
+        all.map(|claims| {
+            let own = claims.first().unwrap_or(&statement);
+            let part = self.part(claims.iter().chain([&statement]));
+            (self.statements[*own].document, part)
+        })
+        .collect()
     }
 
     /// The statement that gives a name its meaning in a document.
@@ -160,6 +157,19 @@ impl Dependence {
         }
         part
     }
+}
+
+/// Claims up to each of these ends, and behind the last one; none is empty.
+fn pieces<'a>(claims: &'a [usize], ends: &[usize]) -> Vec<&'a [usize]> {
+    let mut start = 0;
+    let ends = ends.iter().copied().chain([claims.len()]);
+    let pieces = ends.map(|end| {
+        let end = end.clamp(start, claims.len());
+        let piece = &claims[start..end];
+        start = end;
+        piece
+    });
+    pieces.filter(|own| !own.is_empty()).collect()
 }
 
 /// Which statement gives a name its meaning; evaluators and systems have names of their own.
