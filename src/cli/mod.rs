@@ -25,6 +25,7 @@ mod output;
 mod partial;
 #[cfg(feature = "stability")]
 mod picture;
+mod progress;
 mod regular_file;
 #[cfg(feature = "stability")]
 mod report;

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use clap::Args;
+use indicatif::ProgressBar;
 use rayon::prelude::*;
 
 use crate::documents::resolve;
@@ -10,18 +11,20 @@ use crate::language::diagnostic::SourceFile;
 use crate::report::mutation::Mutated;
 use crate::report::{json, text};
 use crate::verdict::audit::{Audit, Library};
-use crate::verdict::mutation::{Edit, Fate, Mutation};
+use crate::verdict::mutation::{Edit, Fate, Mutation, Subject};
 
 use super::Outcome;
 use super::output::{Results, finish, wrong};
+use super::progress;
 use super::source::audit_all;
 
 /// Finds what no verdict of a document would notice if it were wrong
 ///
 /// Every edit of one token is made in definitions, substitutions, assumptions, systems and evaluators: another sign,
 /// factor, index or exponent, a sine for a cosine, a name for the next of its sort and unit, a prime more or
-/// less, two outputs exchanged. What builds on it is judged again. An edit is noticed if a verdict is
-/// another one than the author expects, or a statement is refused; it survives if all is as before.
+/// less. Neighbours are exchanged, too: outputs of an evaluator, entries of a matrix, what several names are
+/// defined as. What builds on an edit is judged again. It is noticed if a verdict is another one than the
+/// author expects, or a statement is refused; it survives if all is as before.
 /// Definitions that are equal before and after are told apart.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
@@ -69,9 +72,16 @@ pub fn run(arguments: &Arguments) -> Outcome {
     }
     let library = Held::of(&audits);
     let mutation = Mutation::new(&audits, &library);
-    let found: Vec<Mutated> = (0..audits.len())
-        .map(|place| mutated(&mutation, place, &audits[place]))
+    let subjects: Vec<Vec<Subject>> = (0..audits.len())
+        .map(|place| mutation.subjects(place))
         .collect();
+    let edits = subjects.iter().flatten().map(|own| own.edits.len());
+    let progress = progress::bar(edits.sum::<usize>() as u64, "edits");
+    let found = audits.iter().zip(subjects);
+    let found: Vec<Mutated> = found
+        .map(|(audit, subjects)| mutated(&mutation, audit, subjects, &progress))
+        .collect();
+    progress.finish_and_clear();
     let outcome = match found.iter().all(|own| own.survivors.is_empty()) {
         true => Outcome::AsExpected,
         false => Outcome::Differs,
@@ -83,10 +93,18 @@ pub fn run(arguments: &Arguments) -> Outcome {
     finish(&written, outcome)
 }
 
-/// All edits of a document.
-fn mutated(mutation: &Mutation<'_>, place: usize, audit: &Audit) -> Mutated {
-    let subjects = mutation.subjects(place);
-    let fates = subjects.par_iter().map(|own| mutation.fates(own));
+/// All edits of a document, whose statements these are.
+fn mutated(
+    mutation: &Mutation<'_>,
+    audit: &Audit,
+    subjects: Vec<Subject>,
+    progress: &ProgressBar,
+) -> Mutated {
+    let fates = subjects.par_iter().map(|own| {
+        let fates = mutation.fates(own);
+        progress.inc(fates.len() as u64);
+        fates
+    });
     let fates: Vec<Fate> = fates.collect::<Vec<_>>().concat();
     let count = |wanted: Fate| fates.iter().filter(|own| **own == wanted).count();
     let [noticed, equal] = [Fate::Noticed, Fate::Equal].map(count);

@@ -2,6 +2,7 @@
 
 mod dependence;
 mod edit;
+mod exchange;
 mod likeness;
 
 use super::audit::{Audit, Library, Part, audit_part};
@@ -14,8 +15,9 @@ use crate::language::syntax::{Statement, StatementKind};
 use dependence::Dependence;
 pub use edit::Edit;
 
-/// How many claims are judged before the others, as those that an edit is most likely to turn.
-const FIRST: usize = 4;
+/// How many claims are judged before the others, as those that an edit is most likely to turn: first the nearest alone,
+/// since others may take long once it is wrong what they build on.
+const FIRST: [usize; 2] = [1, 4];
 
 /// What becomes of an edit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,7 +86,7 @@ impl<'a> Mutation<'a> {
     /// What becomes of each edit of a statement: what does not build on it is not judged again, and the nearest claims
     /// come first.
     pub fn fates(&self, subject: &Subject) -> Vec<Fate> {
-        let parts = self.dependence.parts(subject.place, FIRST);
+        let parts = self.dependence.parts(subject.place, &FIRST);
         let parts: Vec<_> = parts.into_iter().map(|own| self.sound(own)).collect();
         let edits = subject.edits.iter();
         edits.map(|edit| self.fate(subject, &parts, edit)).collect()
@@ -102,11 +104,15 @@ impl<'a> Mutation<'a> {
     fn fate(&self, subject: &Subject, parts: &[(usize, Part)], edit: &Edit) -> Fate {
         let source = self.audits[subject.document].source();
         let texts = self.texts(subject.document, &edit.applied(&source.text));
-        let is_noticed = |(place, part): &(usize, Part)| self.is_noticed(&texts, *place, part);
+        let declaring = self.dependence.declaring(subject.document, &edit.name());
+        let is_noticed = |(place, part): &(usize, Part)| {
+            let part = self.dependence.with(part, declaring);
+            self.is_noticed(&texts, *place, &part)
+        };
         if parts.iter().any(is_noticed) {
             return Fate::Noticed;
         }
-        match self.is_equal(subject, edit) {
+        match self.is_equal(subject, edit, declaring) {
             true => Fate::Equal,
             false => Fate::Survives,
         }
@@ -130,12 +136,13 @@ impl<'a> Mutation<'a> {
         audit_part(source, texts, part).is_none_or(|audit| !audit.as_expected())
     }
 
-    /// Whether a definition is equal to what it was.
-    fn is_equal(&self, subject: &Subject, edit: &Edit) -> bool {
+    /// Whether a definition is equal to what it was, given the statement that declares the name that is new in it.
+    fn is_equal(&self, subject: &Subject, edit: &Edit, declaring: Option<usize>) -> bool {
         let Some((text, line)) = edit.compared(&self.audits[subject.document].source().text) else {
             return false;
         };
-        let part = self.dependence.alone(subject.place, line);
+        let statements = [subject.place].into_iter().chain(declaring);
+        let part = self.dependence.alone(statements, line);
         let texts = self.texts(subject.document, &text);
         audit_part(&texts.edited, &texts, &part).is_some_and(|audit| {
             let claim = audit.claims.first();

@@ -1,5 +1,7 @@
 //! `sextic mutate` as a user sees it.
 
+use std::process::Command;
+
 use serde_json::{Value, json};
 
 use super::{document, run};
@@ -83,6 +85,78 @@ fn what_is_equal_is_told_apart() {
     assert_eq!(survivors(&found), ["3: * → /"]);
     assert_eq!(status, Some(1));
     assert_eq!(found["documents"][0]["equal"], json!(1));
+}
+
+/// A terminal is made by `script`; where that is missing, nothing is seen.
+#[test]
+fn a_terminal_shows_how_far_it_is() {
+    let path = document("far.md", DOCUMENT);
+    let line = format!("{} mutate {}", env!("CARGO_BIN_EXE_sextic"), path.display());
+    let shown = Command::new("script")
+        .args(["-qec", &line, "/dev/null"])
+        .output();
+    let Ok(shown) = shown else {
+        return eprintln!("skipped: there is no `script`");
+    };
+    let text = String::from_utf8_lossy(&shown.stdout);
+    assert!(
+        text.contains(" edits, ") && text.contains(" left"),
+        "{text}"
+    );
+}
+
+#[test]
+fn neighbours_are_exchanged() {
+    let text = "```sextic
+parameter a, b, c : 1
+parameter k : 1/s^2
+own := [a, b; c, c]
+one, other := a*b, b*c
+evaluator (1) pair: p = [one; other], q = one
+named := pair.q
+coordinate x, y : m
+system (2) moved: mass [a, 0; 0, b] stiffness [a, 0; 0, b]*k in x, y
+```
+";
+    let (_, found) = mutated("exchanged.md", text);
+    let survivors = survivors(&found);
+    let exchanged = [
+        "4: a, b → b, a",
+        "4: b; c → c; b",
+        "5: a*b, b*c → b*c, a*b",
+        "6: one; other → other; one",
+        "6: [one; other], q = one → one, q = [one; other]",
+        "9: a, 0 → 0, a",
+    ];
+    for edit in exchanged {
+        assert!(survivors.contains(&edit.to_string()), "{edit}");
+    }
+}
+
+#[test]
+fn a_name_is_known_where_nothing_else_needs_it() {
+    let text = "```sextic
+parameter a, b : 1
+sum := a + b
+turned := b + a
+claim (1): turned == sum
+evaluator (2) pair: p = sum, q = turned
+one := sum
+other := pair.p
+claim (3): [one; other] == [b + a; a + b]
+```
+";
+    let (_, found) = mutated("known.md", text);
+    // Outputs of an evaluator are told apart by claims alone.
+    assert_eq!(
+        survivors(&found),
+        [
+            "6: sum → turned",
+            "6: turned → sum",
+            "6: sum, q = turned → turned, q = sum"
+        ]
+    );
+    assert_eq!(found["documents"][0]["equal"], json!(2));
 }
 
 /// Edits that nothing notices in the documents that come with the command, each as often as it is listed, with the

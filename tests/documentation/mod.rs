@@ -4,6 +4,7 @@
 mod architecture;
 mod guides;
 mod imports;
+mod numbers;
 mod page;
 mod sources;
 mod steps;

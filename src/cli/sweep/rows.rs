@@ -4,9 +4,9 @@ use std::io;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 use rayon::prelude::*;
 
+use crate::cli::progress;
 use crate::report::columns::{Column, of_grid, of_system};
 use crate::stability::grid::Grid;
 use crate::stability::system::sweep::Sweep;
@@ -86,7 +86,8 @@ pub(super) fn compute<P: Send>(
     form: impl Fn(&[Vec<Column>]) -> P + Sync,
     mut write: impl FnMut(Vec<P>) -> io::Result<bool>,
 ) -> io::Result<()> {
-    let progress = progress(table.count(), from);
+    let progress = progress::bar(table.count(), "rows").with_position(from);
+    progress.reset_eta();
     let part = (sizes.points / table.points_in_a_row()).max(sizes.fewest_rows);
     let block = part * sizes.parts;
     let mut next = from;
@@ -112,17 +113,4 @@ fn columns(table: &dyn Table, rows: Range<u64>) -> io::Result<Vec<Vec<Column>>> 
         false => Ok(table.columns(start..(start + at_once).min(rows.end))),
     };
     rows.clone().step_by(at_once as usize).map(some).collect()
-}
-
-/// What shows how far the computation is.
-fn progress(count: u64, from: u64) -> ProgressBar {
-    let progress = ProgressBar::new(count)
-        .with_position(from)
-        .with_finish(ProgressFinish::AndClear);
-    let style = ProgressStyle::with_template(
-        "{bar:40} {percent} %  {human_pos} of {human_len} rows, {eta} left",
-    );
-    progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-    progress.reset_eta();
-    progress
 }

@@ -5,7 +5,7 @@ use crate::language::diagnostic::{Diagnostic, DiagnosticKind, nearest};
 use crate::language::evaluator::{Evaluator, Output};
 use crate::language::mention::Mention;
 use crate::language::syntax::{
-    Approximated, Expression, Name, Quantities, Span, Spanned, Statement,
+    Approximated, Expression, Name, Quantities, Span, Spanned, Statement, StatementKind,
 };
 use crate::language::system::System;
 use crate::language::unit::Unit;
@@ -30,49 +30,75 @@ impl Reader<'_> {
             return Ok(false);
         };
         self.require_new(&evaluator.name, &evaluator.span, read)?;
-        if let Some(approximated) = &evaluator.approximated {
-            self.check_approximated(&evaluator, approximated)?;
-        }
+        self.declare_outputs(&evaluator)?;
+        self.check_use(&evaluator, statement)?;
         self.evaluators.push(evaluator.clone());
         read.evaluators.push(evaluator);
         Ok(true)
     }
 
-    /// Gives outputs of evaluators and matrices of systems that a statement names the meaning that they have.
-    pub(super) fn declare_outputs(&mut self, statement: &Statement) -> Result<(), Diagnostic> {
-        for Mention { name, .. } in statement.mentions() {
-            let Some((owner, output)) = name.of_output() else {
-                continue;
-            };
-            let Some(expression) = self.output_named(&owner, &output) else {
-                continue;
-            };
-            if self.elaborator.scope.get(&name).is_some() {
-                continue;
+    /// What an evaluator says of its use must be possible: that which it inherits was checked before.
+    fn check_use(
+        &mut self,
+        evaluator: &Evaluator,
+        statement: &Statement,
+    ) -> Result<(), Diagnostic> {
+        if let StatementKind::Evaluator { conditions, .. } = &statement.kind {
+            for condition in conditions {
+                self.check_condition(condition)?;
             }
-            self.elaborator.fresh();
-            let value = self.elaborator.value(&expression)?;
-            let meaning = Meaning::Definition {
-                expression,
-                value,
-                conditions: std::mem::take(&mut self.elaborator.conditions),
-            };
-            let span = statement.span.clone();
-            let name = Spanned { value: name, span };
-            self.elaborator.scope.declare(&name, meaning, None)?;
+        }
+        match &evaluator.approximated {
+            Some(approximated) => self.check_approximated(evaluator, approximated),
+            None => Ok(()),
+        }
+    }
+
+    /// Gives the outputs of an evaluator the meaning that they have where they are named: what is wrong in them is wrong
+    /// here.
+    fn declare_outputs(&mut self, evaluator: &Evaluator) -> Result<(), Diagnostic> {
+        for output in &evaluator.outputs {
+            let value = evaluator.name.output(&output.name);
+            let span = evaluator.span.clone();
+            self.declare_value(Spanned { value, span }, output.expression.clone())?;
         }
         Ok(())
     }
 
-    fn output_named(&self, owner: &Name, output: &Name) -> Option<Expression> {
-        let mut evaluators = self.evaluators.iter();
-        if let Some(evaluator) = evaluators.find(|own| own.name == *owner) {
-            let mut outputs = evaluator.outputs.iter();
-            let found = outputs.find(|own| own.name == *output)?;
-            return Some(found.expression.clone());
+    /// Gives the matrices of systems that a statement names the meaning that they have; they were checked with their
+    /// system.
+    pub(super) fn declare_matrices(&mut self, statement: &Statement) -> Result<(), Diagnostic> {
+        for Mention { name: value, .. } in statement.mentions() {
+            if self.elaborator.scope.get(&value).is_none()
+                && let Some(matrix) = self.matrix_named(&value)
+            {
+                let span = statement.span.clone();
+                self.declare_value(Spanned { value, span }, matrix)?;
+            }
         }
+        Ok(())
+    }
+
+    fn matrix_named(&self, name: &Name) -> Option<Expression> {
+        let (owner, matrix) = name.of_output()?;
         let mut systems = self.systems.iter();
-        systems.find(|own| own.name == *owner)?.matrix_named(output)
+        let owner = systems.find(|own| own.name == owner)?;
+        owner.matrix_named(&matrix)
+    }
+
+    fn declare_value(
+        &mut self,
+        name: Spanned<Name>,
+        expression: Expression,
+    ) -> Result<(), Diagnostic> {
+        self.elaborator.fresh();
+        let value = self.elaborator.value(&expression)?;
+        let meaning = Meaning::Definition {
+            expression,
+            value,
+            conditions: std::mem::take(&mut self.elaborator.conditions),
+        };
+        self.elaborator.scope.declare(&name, meaning, None)
     }
 
     /// A name is that of one system or evaluator.
@@ -116,7 +142,7 @@ impl Reader<'_> {
     /// An evaluator must have as many outputs as the system has numbers that they are close to, or as a polynomial
     /// with such roots has coefficients, in their units.
     fn check_approximated(
-        &mut self,
+        &self,
         evaluator: &Evaluator,
         approximated: &Approximated,
     ) -> Result<(), Diagnostic> {
@@ -126,12 +152,7 @@ impl Reader<'_> {
             (false, Quantities::RealParts) => count,
             (true, _) | (_, Quantities::Eigenvalues) => 2 * count,
         };
-        let mut units = Vec::new();
-        for output in &evaluator.outputs {
-            let value = self.elaborator.value(&output.expression)?;
-            let entries = value.entries().iter();
-            units.extend(entries.map(|entry| (output, entry.unit.clone())));
-        }
+        let units = self.units(evaluator);
         if units.len() != wanted {
             let found = units.len();
             return Err(outputs_do_not_fit(evaluator, approximated, found, wanted));
@@ -141,12 +162,27 @@ impl Reader<'_> {
             false => require_rates(&units),
         }
     }
+
+    /// The units of all numbers of an evaluator whose outputs are declared.
+    fn units<'e>(&self, evaluator: &'e Evaluator) -> Vec<Measured<'e>> {
+        let mut units = Vec::new();
+        for output in &evaluator.outputs {
+            let entry = self
+                .elaborator
+                .scope
+                .get(&evaluator.name.output(&output.name));
+            if let Some(Meaning::Definition { value, .. }) = entry.map(|own| &own.meaning) {
+                units.extend(value.entries().iter().map(|own| (output, own.unit.clone())));
+            }
+        }
+        units
+    }
 }
 
-/// The numbers of an evaluator, each with its output and, where it has one, its unit.
-type Units<'a> = [(&'a Output, Option<Unit>)];
+/// A number of an evaluator: its output and, where it has one, its unit.
+type Measured<'a> = (&'a Output, Option<Unit>);
 
-fn require_rates(units: &Units<'_>) -> Result<(), Diagnostic> {
+fn require_rates(units: &[Measured<'_>]) -> Result<(), Diagnostic> {
     let rate = Unit::second().inverse();
     let known = units.iter();
     let mut known = known.filter_map(|(output, unit)| Some((output, unit.as_ref()?)));
@@ -157,7 +193,7 @@ fn require_rates(units: &Units<'_>) -> Result<(), Diagnostic> {
 }
 
 /// The k-th coefficient of each half must be in the unit of a rate to the power k.
-fn require_coefficients(units: &Units<'_>) -> Result<(), Diagnostic> {
+fn require_coefficients(units: &[Measured<'_>]) -> Result<(), Diagnostic> {
     let rate = Unit::second().inverse();
     let degree = units.len() / 2;
     for half in units.chunks(degree) {

@@ -209,13 +209,18 @@ impl Reader<'_> {
     fn assume(&mut self, relation: &Relation) -> Result<(), Diagnostic> {
         let span = &(relation.left.span.start..relation.right.span.end);
         let difference = self.right_less_left(relation, span)?;
+        if !self.is_over_positive(&difference, span)? {
+            let message = "an assumption must be an inequality between polynomials";
+            return Err(unsupported(span, message)
+                .with_help("multiply it by its denominator, whose sign must be known"));
+        }
         let signs = assumed(relation.comparison, span)?;
         let ring = &mut self.elaborator.ring;
         let above = difference.numerator().clone();
         let known = ring.polynomial_signs(&above);
         let known = known.map_err(|error| algebra(error, span))?;
         if known.intersection(signs) == Signs::NONE {
-            return Err(contradiction(known, span));
+            return Err(contradiction("assumption", known, span));
         }
         let (above, signs) = match signs.negative {
             true => (-&above, signs.opposite()),
@@ -237,7 +242,29 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// The right side less the left, which must be real numbers of one unit, over a positive denominator.
+    /// A condition under which an evaluator is used must be between real numbers of one unit, and possible.
+    pub(super) fn check_condition(&mut self, relation: &Relation) -> Result<(), Diagnostic> {
+        self.elaborator.fresh();
+        let span = &(relation.left.span.start..relation.right.span.end);
+        let difference = self.right_less_left(relation, span)?;
+        // Unlike an assumption, it may be about a quotient whose sign nobody knows.
+        if !self.is_over_positive(&difference, span)? {
+            return Ok(());
+        }
+        let wanted = assumed(relation.comparison, span)?;
+        let known = self
+            .elaborator
+            .ring
+            .polynomial_signs(difference.numerator());
+        let known = known.map_err(|error| algebra(error, span))?;
+        match known.intersection(wanted) == Signs::NONE {
+            true => Err(contradiction("condition", known, span)
+                .with_help("nothing would ever satisfy it: correct one of the two")),
+            false => Ok(()),
+        }
+    }
+
+    /// The right side less the left, which must be real numbers of one unit.
     fn right_less_left(
         &mut self,
         relation: &Relation,
@@ -255,16 +282,12 @@ impl Reader<'_> {
             }
         }
         let difference = ring.difference(&right.value, &left.value);
-        let difference = difference.map_err(|error| algebra(error, span))?;
-        let below = ring.polynomial_signs(difference.denominator());
-        match below.map_err(|error| algebra(error, span))?.is_positive() {
-            true => Ok(difference),
-            false => {
-                let message = "an assumption must be an inequality between polynomials";
-                Err(unsupported(span, message)
-                    .with_help("multiply it by its denominator, whose sign must be known"))
-            }
-        }
+        difference.map_err(|error| algebra(error, span))
+    }
+
+    fn is_over_positive(&self, own: &Fraction, span: &Span) -> Result<bool, Diagnostic> {
+        let below = self.elaborator.ring.polynomial_signs(own.denominator());
+        Ok(below.map_err(|error| algebra(error, span))?.is_positive())
     }
 
     fn define(
@@ -409,8 +432,8 @@ fn unsupported(span: &Span, message: &str) -> Diagnostic {
 }
 
 /// An assumption that cannot be true beside what is declared and assumed above it.
-fn contradiction(known: Signs, span: &Span) -> Diagnostic {
-    let message = "this assumption contradicts what is declared or assumed above it";
+fn contradiction(what: &str, known: Signs, span: &Span) -> Diagnostic {
+    let message = format!("this {what} contradicts what is declared or assumed above it");
     Diagnostic::new(DiagnosticKind::Inconsistent, span.clone(), message)
         .with_label(format!(
             "the right side less the left is {} by what is above",

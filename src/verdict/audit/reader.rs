@@ -297,7 +297,7 @@ impl<'a> Reader<'a> {
     }
 
     fn execute(&mut self, statement: &Statement, read: &mut Read) -> Result<(), Diagnostic> {
-        self.declare_outputs(statement)?;
+        self.declare_matrices(statement)?;
         self.elaborator.fresh();
         if let Some(assertion) = asserted(statement, self.here.line) {
             if let StatementKind::Eigenpair { vector, .. } = &statement.kind {

@@ -9,6 +9,8 @@ use crate::verdict::audit::{Audit, Part};
 /// The statements of documents that import each other, and which of them each builds on.
 pub(super) struct Dependence {
     statements: Vec<Dependent>,
+    /// What is declared in each document.
+    declared: Vec<Declared>,
 }
 
 /// A statement and what it builds on.
@@ -43,7 +45,10 @@ impl Dependence {
             }
             declared.push(names);
         }
-        let mut dependence = Dependence { statements };
+        let mut dependence = Dependence {
+            statements,
+            declared,
+        };
         let all = documents.iter().flatten().enumerate();
         let assumptions = all.filter(|(_, own)| matches!(own.kind, StatementKind::Assume { .. }));
         for (place, _) in assumptions.collect::<Vec<_>>() {
@@ -92,37 +97,49 @@ impl Dependence {
         claims
     }
 
-    /// What is judged after an edit of a statement, one part after the other: the nearest claims that build on it, so
-    /// many, then the others, then those of each other document; the places of the documents beside.
-    pub(super) fn parts(&self, statement: usize, first: usize) -> Vec<(usize, Part)> {
+    /// What is judged after an edit of a statement, one part after the other: the nearest claims that build on it, up to
+    /// so many of them each time, then the others, then those of each other document; the places of the documents beside.
+    pub(super) fn parts(&self, statement: usize, first: &[usize]) -> Vec<(usize, Part)> {
         let claims = self.claims_on(statement);
         let document = self.statements[statement].document;
         let is_own = |place: &&usize| self.statements[**place].document == document;
         let count = claims.iter().take_while(is_own).count();
         let (here, elsewhere) = claims.split_at(count);
-        let (near, far) = here.split_at(first.min(here.len()));
+        // The statement itself may be refused, whether or not a claim builds on it.
+        let alone = here.is_empty().then_some(here);
         let others = elsewhere.chunk_by(|one, other| {
             self.statements[*one].document == self.statements[*other].document
         });
-        // The statement itself may be refused, whether or not a claim builds on it.
-        let mut parts = vec![(document, self.part(near.iter().chain([&statement])))];
-        for claims in [far]
-            .into_iter()
-            .chain(others)
-            .filter(|own| !own.is_empty())
-        {
-            let own = self.statements[claims[0]].document;
-            parts.push((own, self.part(claims.iter().chain([&statement]))));
-        }
-        parts
+        let all = alone.into_iter().chain(pieces(here, first)).chain(others);
+        all.map(|claims| {
+            let own = claims.first().unwrap_or(&statement);
+            let part = self.part(claims.iter().chain([&statement]));
+            (self.statements[*own].document, part)
+        })
+        .collect()
     }
 
-    /// A statement without a claim, and one that was added on another line of its document.
-    pub(super) fn alone(&self, statement: usize, added: usize) -> Part {
-        let mut part = self.part([&statement]);
-        let lines = part
-            .entry(self.statements[statement].path.clone())
-            .or_default();
+    /// The statement that gives a name its meaning in a document.
+    pub(super) fn declaring(&self, document: usize, name: &Name) -> Option<usize> {
+        self.declared[document].declaring(name)
+    }
+
+    /// A part with one more statement, and what that needs; a whole document has it already.
+    pub(super) fn with(&self, part: &Part, statement: Option<usize>) -> Part {
+        let mut part = part.clone();
+        let needed = self.needed(statement.filter(|_| !part.is_empty()));
+        for own in needed.into_iter().map(|place| &self.statements[place]) {
+            part.entry(own.path.clone()).or_default().insert(own.line);
+        }
+        part
+    }
+
+    /// Statements without a claim, and one that was added on another line of the document of the first.
+    pub(super) fn alone(&self, statements: impl IntoIterator<Item = usize>, added: usize) -> Part {
+        let statements: Vec<usize> = statements.into_iter().collect();
+        let mut part = self.part(&statements);
+        let path = statements.first().map(|own| &self.statements[*own].path);
+        let lines = part.entry(path.cloned().unwrap_or_default()).or_default();
         let moved = |line: usize| if line < added { line } else { line + 1 };
         *lines = lines.iter().copied().map(moved).chain([added]).collect();
         part
@@ -140,6 +157,19 @@ impl Dependence {
         }
         part
     }
+}
+
+/// Claims up to each of these ends, and behind the last one; none is empty.
+fn pieces<'a>(claims: &'a [usize], ends: &[usize]) -> Vec<&'a [usize]> {
+    let mut start = 0;
+    let ends = ends.iter().copied().chain([claims.len()]);
+    let pieces = ends.map(|end| {
+        let end = end.clamp(start, claims.len());
+        let piece = &claims[start..end];
+        start = end;
+        piece
+    });
+    pieces.filter(|own| !own.is_empty()).collect()
 }
 
 /// Which statement gives a name its meaning; evaluators and systems have names of their own.
@@ -165,6 +195,15 @@ impl Declared {
         let at = |name: &Name| (name.ascii.clone(), place);
         self.names.extend(intent.declares.iter().map(at));
         self.compiled.extend(intent.compiled.iter().map(at));
+    }
+
+    /// The statement that gives a name its meaning, if there is one.
+    fn declaring(&self, name: &Name) -> Option<usize> {
+        let place = match name.of_output() {
+            Some((owner, _)) => self.compiled.get(&owner.ascii),
+            None => self.names.get(&name.ascii),
+        };
+        place.copied()
     }
 
     /// On what a statement builds.

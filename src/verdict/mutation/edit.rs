@@ -1,11 +1,12 @@
 //! Edits of one token of a statement.
 
+use super::exchange::exchanges;
 use super::likeness::alike;
 use crate::derivation::scope::{Entry, Meaning, Scope};
 use crate::language::lexer::{Token, TokenKind, tokens};
-use crate::language::syntax::{EvaluatorBody, Expression, Name, Span, Statement, StatementKind};
+use crate::language::syntax::{Expression, Name, Span, Statement, StatementKind};
 
-/// One token that becomes another one, or two outputs that are exchanged.
+/// One token that becomes another one, or two neighbours that are exchanged.
 #[derive(Clone, Debug)]
 pub struct Edit {
     /// The statement in which it is.
@@ -25,6 +26,11 @@ impl Edit {
     pub fn statement(&self, text: &str) -> String {
         let words = text[self.statement.span.clone()].split_whitespace();
         words.collect::<Vec<_>>().join(" ")
+    }
+
+    /// The name that stands there then, if it is one.
+    pub(super) fn name(&self) -> Name {
+        name(&self.to)
     }
 
     /// A text after the edit.
@@ -58,7 +64,7 @@ impl Edit {
 
 /// All edits of a statement, which begins on a line.
 pub(super) fn edits(text: &str, statement: &Statement, line: usize, scope: &Scope) -> Vec<Edit> {
-    let all = tokens(text, &statement.span);
+    let all = with_outputs(tokens(text, &statement.span));
     let head = all.iter().position(|own| ends_head(own.kind));
     let first = head.map_or(0, |place| place + 1);
     let places = first..all.len();
@@ -71,6 +77,37 @@ pub(super) fn edits(text: &str, statement: &Statement, line: usize, scope: &Scop
         to,
     };
     edited.chain(exchanges(text, statement)).map(edit).collect()
+}
+
+/// Tokens, of which those of the name of an output are one.
+fn with_outputs(tokens: Vec<Token>) -> Vec<Token> {
+    let mut all: Vec<Token> = Vec::new();
+    for token in tokens {
+        match all.as_mut_slice() {
+            [.., owner, dot] if is_output(owner, dot, &token) => {
+                owner.span.end = token.span.end;
+                all.pop();
+            }
+            _ => all.push(token),
+        }
+    }
+    all
+}
+
+/// Whether a name, what stands behind it and the next token are the name of an output, `closed_form.λ_R1`.
+fn is_output(owner: &Token, dot: &Token, output: &Token) -> bool {
+    let kinds = [owner, dot, output].map(|own| own.kind);
+    kinds == [TokenKind::Name, TokenKind::Unknown, TokenKind::Name]
+        && owner.span.end == dot.span.start
+        && dot.span.end == output.span.start
+}
+
+/// A name as it is written.
+fn name(text: &str) -> Name {
+    match text.split_once('.') {
+        Some((owner, output)) => Name::new(owner).output(&Name::new(output)),
+        None => Name::new(text),
+    }
 }
 
 /// Behind which a statement says what its name means; an assumption has no name.
@@ -141,14 +178,15 @@ fn next_power(text: &str) -> String {
     letters.into_iter().collect()
 }
 
-/// A name in place of a name: the other of sine and cosine, or the next that is like it.
+/// A name in place of a name: the other of sine and cosine, or the next that is like it, and an output for an output.
 fn names(own: &str, statement: &Statement, scope: &Scope) -> Option<String> {
     match own {
         "sin" => return Some("cos".to_string()),
         "cos" => return Some("sin".to_string()),
         _ => {}
     }
-    let entry = scope.get(&Name::new(own))?;
+    let entry = scope.get(&name(own))?;
+    let is_output = |own: &Entry| own.name.of_output().is_some();
     let is_known = |other: &&Entry| {
         let span = other.span.as_ref();
         span.is_none_or(|span| span.start < statement.span.start)
@@ -157,6 +195,7 @@ fn names(own: &str, statement: &Statement, scope: &Scope) -> Option<String> {
         scope
             .entries()
             .filter(is_known)
+            .filter(|other| is_output(other) == is_output(entry))
             .filter(|other| alike(&entry.meaning, &other.meaning))
     };
     let behind = others().find(|other| other.name.ascii > entry.name.ascii);
@@ -167,22 +206,4 @@ fn names(own: &str, statement: &Statement, scope: &Scope) -> Option<String> {
 fn is_function(own: &str, scope: &Scope) -> bool {
     let entry = scope.get(&Name::new(own));
     entry.is_some_and(|own| matches!(own.meaning, Meaning::Function { .. }))
-}
-
-/// Neighbouring outputs of an evaluator that are exchanged.
-fn exchanges(text: &str, statement: &Statement) -> Vec<(Span, String)> {
-    let StatementKind::Evaluator {
-        body: EvaluatorBody::Outputs(outputs),
-        ..
-    } = &statement.kind
-    else {
-        return Vec::new();
-    };
-    let exchange = |pair: &[(_, Expression)]| {
-        let [one, other] = [&pair[0].1.span, &pair[1].1.span];
-        let between = &text[one.end..other.start];
-        let exchanged = [&text[other.clone()], between, &text[one.clone()]];
-        (one.start..other.end, exchanged.concat())
-    };
-    outputs.windows(2).map(exchange).collect()
 }
