@@ -106,6 +106,9 @@ impl Outcome {
     }
 }
 
+/// Why an assertion has no meaning, in words, and what does not fit.
+type IllFormed = (String, Misfit);
+
 impl Misfit {
     /// What a mistake of units or shapes in a relation is about; it labels the expressions.
     fn of(error: &Diagnostic, relation: &Relation) -> Self {
@@ -223,7 +226,7 @@ impl Elaborator {
     fn sides(
         &mut self,
         relation: &Relation,
-    ) -> Result<Result<(Value, Value), (String, Misfit)>, Diagnostic> {
+    ) -> Result<Result<(Value, Value), IllFormed>, Diagnostic> {
         let sides = self
             .value(&relation.left)
             .and_then(|left| Ok((left, self.value(&relation.right)?)));
