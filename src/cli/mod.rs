@@ -25,7 +25,6 @@ mod output;
 mod partial;
 #[cfg(feature = "stability")]
 mod picture;
-mod regular_file;
 #[cfg(feature = "stability")]
 mod report;
 mod shell;
