@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, Mapping
 
 import numpy as np
@@ -18,18 +19,19 @@ class Columns:
 
     def __init__(self, owner: str, names: list[str], given: Mapping[str, Any]) -> None:
         values = _named(owner, names, given)
-        arrays = {name: _real(name, values[name]) for name in names}
+        # Nearly all of them are one number, which NumPy would be slow to look at.
+        arrays = {name: _real(name, own) for name, own in values.items() if type(own) is not float}
+        self.shape = _shape(owner, arrays) if arrays else ()
         self.mask = _mask(arrays.values())
-        self.shape = _shape(owner, arrays)
-        self.size = int(np.prod(self.shape, dtype=np.intp))
-        self.columns = [self._column(np.asarray(own)) for own in arrays.values()]
+        self.size = math.prod(self.shape)
+        self.columns = [self._column(arrays[name]) if name in arrays else values[name] for name in names]
 
     def _column(self, array: np.ndarray) -> float | np.ndarray:
-        """One number where it is the same everywhere, else a value for each point: the array itself where its layout allows it."""
+        """One number where it is the same everywhere, else one for each point: the array itself where its layout allows it."""
         if array.size == 1:
-            return float(array.reshape(()))
-        whole = np.broadcast_to(array, self.shape)
-        return np.ascontiguousarray(whole, dtype=np.float64).reshape(-1)
+            return float(array.reshape(())[()])
+        whole = np.broadcast_to(np.asarray(array), self.shape)
+        return np.ascontiguousarray(whole).reshape(-1)
 
     def shaped(self, column: np.ndarray) -> Any:
         """Values of all points in the shape of what was given; one number where that has no dimension."""
@@ -68,7 +70,10 @@ def _renamed(name: str, names: list[str]) -> tuple[str, float | None]:
 
 def _real(name: str, value: Any) -> np.ndarray:
     """An array of real numbers."""
-    array = value if isinstance(value, np.ma.MaskedArray) else np.asarray(value)
+    try:
+        array = value if isinstance(value, np.ma.MaskedArray) else np.asarray(value)
+    except ValueError as error:
+        raise InputError(f"`{name}` is no array: {error}", "give a number or an array of numbers") from error
     if array.dtype.kind not in _REAL:
         raise InputError(
             f"`{name}` is an array of {array.dtype}, and quantities are real numbers",

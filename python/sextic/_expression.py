@@ -12,7 +12,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Expression"]
 
-_WORD = re.compile(r"[A-Za-z_]\w*")
+#: A name; those of the outputs of an evaluator have a dot.
+_WORD = re.compile(r"[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)?")
 
 
 class Expression(str):
@@ -59,20 +60,35 @@ def _parted(text: str) -> tuple[str, str, str]:
 
 
 def _parsed(text: str, sympy):
-    """What a side is; nothing of Python's own or SymPy's is found by a name but what the notation has."""
-    names: dict[str, object] = {"Integer": sympy.Integer, "Rational": sympy.Rational, "Float": sympy.Float}
-    known = {"sqrt": sympy.sqrt, "sin": sympy.sin, "cos": sympy.cos, "i": sympy.I}
-    for found in _WORD.finditer(text):
-        name = found.group()
-        is_call = text[found.end() : found.end() + 1] == "("
-        names[name] = known.get(name) or (sympy.Function(name) if is_call else sympy.Symbol(name))
-    if "[" in text or re.search(r"\bat\b|\bwhere\b", text):
-        raise InputError(
-            f"SymPy has no expression for `{text}`", "matrices and places of expressions stay text"
-        )
+    """What a side is; a name means what the notation means by it, and nothing of SymPy's own."""
+    if re.search(r"\b(at|where)\b|[\w)\]]\[", text):
+        raise InputError(f"SymPy has no expression for `{text}`", "entries of matrices and places stay text")
     from sympy.parsing.sympy_parser import auto_number, parse_expr, rationalize
 
+    names: dict[str, object] = {"Integer": sympy.Integer, "Rational": sympy.Rational, "Float": sympy.Float}
+    text = _matrices(_WORD.sub(lambda found: _named(found, names, sympy), text))
+    names["Matrix_"] = sympy.ImmutableMatrix
     try:
         return parse_expr(text, local_dict=names, global_dict={}, transformations=(rationalize, auto_number))
     except (SyntaxError, TypeError, NameError, AttributeError, ValueError) as error:
         raise InputError(f"SymPy has no expression for `{text}`", str(error)) from error
+
+
+def _named(found: re.Match[str], names: dict[str, object], sympy) -> str:
+    """A word under which Python finds what a name means: names of evaluators have a dot, and some are Python's."""
+    name = found.group()
+    is_call = found.string[found.end() : found.end() + 1] == "("
+    known = {"sqrt": sympy.sqrt, "sin": sympy.sin, "cos": sympy.cos, "i": sympy.I}
+    own = f"own_{name.replace('.', '_dot_')}"
+    names[own] = known.get(name) or (sympy.Function(name) if is_call else sympy.Symbol(name))
+    return own
+
+
+def _matrices(text: str) -> str:
+    """Matrices as Python has them: ``[a, b; c, d]`` is ``[[a, b], [c, d]]``."""
+    found = re.search(r"\[([^\[\]]*)\]", text)
+    while found:
+        rows = "), (".join(row.strip() + "," for row in found.group(1).split(";"))
+        text = f"{text[: found.start()]}Matrix_((({rows}),)){text[found.end() :]}"
+        found = re.search(r"\[([^\[\]]*)\]", text)
+    return text

@@ -3,9 +3,7 @@
 use sextic_evaluators::bounded::Bounded;
 
 use crate::kernel::{Kernel, Source};
-
-/// How many points are computed at once: their numbers stay in the cache next to the processor.
-pub const BLOCK: usize = 512;
+use crate::lanes::POINTS;
 
 /// A quantity at all points.
 #[derive(Clone, Copy)]
@@ -39,7 +37,8 @@ enum Input<'a> {
 pub fn run(kernel: &dyn Kernel, given: &[Column<'_>], outputs: &mut [&mut [f64]]) {
     let points = outputs.first().map_or(0, |own| own.len());
     let sources = kernel.sources();
-    let mut blocks = vec![[0.0; BLOCK]; sources.len()];
+    let mut blocks = vec![vec![0.0; points.min(POINTS)]; sources.len()];
+    let mut values = vec![0.0; given.len()];
     let inputs = sources.iter().zip(&mut blocks);
     let inputs: Vec<Input> = inputs
         .map(|(own, block)| input(own, given, block))
@@ -48,17 +47,17 @@ pub fn run(kernel: &dyn Kernel, given: &[Column<'_>], outputs: &mut [&mut [f64]]
         .iter()
         .zip(&blocks)
         .map(|(input, block)| match input {
-            Input::One => Some(block[0]),
+            Input::One => block.first().copied(),
             Input::Many(_) | Input::Made(_) => None,
         });
     let mut prepared = kernel.prepared(&same.collect::<Vec<_>>());
     let mut start = 0;
     while start < points {
-        let end = points.min(start + BLOCK);
+        let end = points.min(start + POINTS);
         for (input, block) in inputs.iter().zip(&mut blocks) {
             if let Input::Made(source) = input {
                 let places = block.iter_mut().zip(start..end);
-                places.for_each(|(own, point)| *own = made(source, given, point));
+                places.for_each(|(own, point)| *own = made(source, given, point, &mut values));
             }
         }
         let inputs = inputs.iter().zip(&blocks);
@@ -80,8 +79,11 @@ pub fn run_bounded(
 ) {
     let points = outputs.first().map_or(0, |own| own.len());
     let sources = kernel.sources();
+    let mut values = vec![0.0; given.len()];
     for point in 0..points {
-        let inputs = sources.iter().map(|own| made(own, given, point));
+        let inputs = sources
+            .iter()
+            .map(|own| made(own, given, point, &mut values));
         let found = kernel.bounded(&inputs.collect::<Vec<_>>());
         for (place, Bounded { value, error }) in found.into_iter().enumerate() {
             (outputs[place][point], errors[place][point]) = (value, error);
@@ -90,7 +92,7 @@ pub fn run_bounded(
 }
 
 /// What an input is; the block of what is the same everywhere is filled.
-fn input<'a>(source: &'a Source, given: &[Column<'a>], block: &mut [f64; BLOCK]) -> Input<'a> {
+fn input<'a>(source: &'a Source, given: &[Column<'a>], block: &mut [f64]) -> Input<'a> {
     let is_one = |place: &usize| matches!(given[*place], Column::One(_));
     match source {
         Source::Given(place) => match given[*place] {
@@ -98,33 +100,30 @@ fn input<'a>(source: &'a Source, given: &[Column<'a>], block: &mut [f64; BLOCK])
             Column::One(value) => block.fill(value),
         },
         Source::Made(of, _) if !of.iter().all(is_one) => return Input::Made(source),
-        Source::Made(..) | Source::Fixed(_) => block.fill(made(source, given, 0)),
+        Source::Made(..) | Source::Fixed(_) => {
+            block.fill(made(source, given, 0, &mut vec![0.0; given.len()]))
+        }
     }
     Input::One
 }
 
 /// The values of a block.
-fn slice<'b>(
-    input: &Input<'b>,
-    block: &'b [f64; BLOCK],
-    range: std::ops::Range<usize>,
-) -> &'b [f64] {
+fn slice<'b>(input: &Input<'b>, block: &'b [f64], range: std::ops::Range<usize>) -> &'b [f64] {
     match input {
         Input::Many(values) => &values[range],
         Input::One | Input::Made(_) => &block[..range.len()],
     }
 }
 
-/// The value of an input at a point.
-fn made(source: &Source, given: &[Column<'_>], point: usize) -> f64 {
+/// The value of an input at a point; there is room for what it is made of.
+fn made(source: &Source, given: &[Column<'_>], point: usize, room: &mut [f64]) -> f64 {
     match source {
         Source::Given(place) => given[*place].at(point),
         Source::Fixed(value) => *value,
         Source::Made(of, by) => {
-            let mut values = vec![0.0; given.len()];
             of.iter()
-                .for_each(|place| values[*place] = given[*place].at(point));
-            by(&values)
+                .for_each(|place| room[*place] = given[*place].at(point));
+            by(room)
         }
     }
 }

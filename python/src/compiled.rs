@@ -27,13 +27,11 @@ impl Compiled {
     /// If a constant is beyond the doubles.
     pub fn of(specification: &Specification) -> Result<Self, Beyond> {
         let asked = specification.quantities().map(|own| {
-            let is_number = own.description.is_empty() && own.unit.is_empty();
-            let text = if is_number {
-                own.symbol.clone()
-            } else {
-                said(&own.description, &own.unit)
+            let text = match own.description.as_str() {
+                "" => &own.symbol,
+                description => description,
             };
-            Quantity::new(own.name.clone(), text)
+            Quantity::new(own.name.clone(), said(text, &own.unit))
         });
         // What is fixed is asked of nobody.
         let free = |own: &Quantity| {
@@ -106,12 +104,11 @@ impl Compiled {
     }
 }
 
-/// What a quantity is, and its unit.
+/// What a quantity is, and its unit, as emitted text says it.
 fn said(description: &str, unit: &str) -> String {
-    match (description, unit) {
-        (text, "") => text.to_string(),
-        ("", unit) => format!("in `{unit}`"),
-        (text, unit) => format!("{text}, in `{unit}`"),
+    match unit {
+        "" | "1" => format!("{description}, dimensionless"),
+        unit => format!("{description}, in `{unit}`"),
     }
 }
 

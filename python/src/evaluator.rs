@@ -2,6 +2,7 @@
 
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::prelude::*;
+use pyo3::types::PyFloat;
 use sextic::report::advice::Advice;
 
 use crate::columns::{self, Column};
@@ -45,10 +46,19 @@ pub fn meant(name: &str, known: Vec<String>) -> String {
 }
 
 /// A quantity as Python gives it: one number, or one for each point.
-#[derive(FromPyObject)]
 enum Given<'py> {
-    Many(PyReadonlyArray1<'py, f64>),
     One(f64),
+    Many(PyReadonlyArray1<'py, f64>),
+}
+
+impl<'py> Given<'py> {
+    /// Numbers are looked for first: to ask what is none for an array costs an exception.
+    fn of(given: &Bound<'py, PyAny>) -> PyResult<Self> {
+        match given.cast::<PyFloat>() {
+            Ok(number) => Ok(Given::One(number.value())),
+            Err(_) => Ok(Given::Many(given.extract()?)),
+        }
+    }
 }
 
 type Arrays<'py> = Vec<Bound<'py, PyArray1<f64>>>;
@@ -79,10 +89,11 @@ impl Evaluator {
     fn run<'py>(
         &self,
         py: Python<'py>,
-        given: Vec<Given<'py>>,
+        given: Vec<Bound<'py, PyAny>>,
         points: usize,
         bounds: bool,
     ) -> PyResult<(Arrays<'py>, Arrays<'py>)> {
+        let given: Vec<Given> = given.iter().map(Given::of).collect::<PyResult<_>>()?;
         let given: Vec<Column> = given.iter().map(column).collect::<PyResult<_>>()?;
         let count = self.kernel.outputs().len();
         let make = |count: usize| -> Arrays<'py> {

@@ -10,6 +10,7 @@ mod evaluator;
 mod failure;
 mod kernel;
 mod lanes;
+mod section;
 mod shipped;
 mod system;
 mod tape;
@@ -21,6 +22,8 @@ mod _sextic {
     use crate::document::{Document, audit_file, audit_shipped, audit_text, shipped_documents};
     #[pymodule_export]
     use crate::evaluator::{Evaluator, meant, shipped_evaluator, shipped_evaluators};
+    #[pymodule_export]
+    use crate::section::Section;
     #[pymodule_export]
     use crate::system::System;
     #[pymodule_export]
