@@ -14,7 +14,7 @@ use crate::compile::fixed::{Fixed, Unfixed};
 use crate::compile::generation::{Failure, Generated, Order, POINTS, generate};
 use crate::compile::proof::{Proof, prove_files};
 use crate::compile::specification::{Refusal, Specification};
-use crate::language::diagnostic::render;
+use crate::language::diagnostic::{nearest, render};
 use crate::report::advice::Advice;
 use crate::report::text;
 use crate::verdict::audit::Audit;
