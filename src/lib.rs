@@ -41,6 +41,7 @@
 //! | [`report`] | what was found, for people and programs |
 //! | `cli` | the command |
 //! | [`documents`] | the documents that come with it |
+//! | [`disk`] | those on the disk |
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
@@ -50,6 +51,7 @@ pub mod certificate;
 pub mod cli;
 pub mod compile;
 pub mod derivation;
+pub mod disk;
 pub mod documents;
 pub mod language;
 pub mod points;

@@ -9,7 +9,7 @@ use crate::stability::input::shortened;
 use super::Outcome;
 use super::folder::stage;
 use super::output::{reason, wrong};
-use super::regular_file;
+use crate::disk::regular_file;
 
 /// Larger files are no case and no table.
 const LARGEST: u64 = 64 << 20;

@@ -8,7 +8,7 @@ use std::time::Duration;
 use sextic_codegen::language::{File, MARK};
 use tempfile::NamedTempFile;
 
-use super::regular_file;
+use crate::disk::regular_file;
 
 /// What a line of a comment begins with.
 const COMMENT: [char; 7] = ['/', '*', '!', '#', '"', '(', ' '];

@@ -15,6 +15,7 @@ use crate::compile::generation::{Failure, Generated, Order, POINTS, generate};
 use crate::compile::proof::{Proof, prove_files};
 use crate::compile::specification::{Refusal, Specification};
 use crate::language::diagnostic::{nearest, render};
+use crate::report::advice::Advice;
 use crate::report::text;
 use crate::verdict::audit::Audit;
 
@@ -131,11 +132,8 @@ pub(super) fn mistaken(outcome: Outcome) -> Outcome {
 
 /// Nothing is computed from a document that is not as it says.
 pub(super) fn differs(audit: &Audit) -> Outcome {
-    complain(&format!(
-        "Error: not every verdict on {} is as it expects: nothing is compiled from it\n\
-         Help: `sextic audit` shows which\n",
-        audit.path
-    ));
+    let Advice { message, help } = Advice::differs(audit);
+    complain(&format!("Error: {message}\nHelp: {help}\n"));
     Outcome::Differs
 }
 
@@ -368,33 +366,23 @@ fn paths(audits: &[Audit]) -> String {
 }
 
 pub(super) fn refused(evaluator: &str, path: &str, refusal: &Refusal, audits: &[Audit]) -> Outcome {
-    match refusal {
-        Refusal::Document(diagnostic) => {
+    match (refusal, Advice::refused(evaluator, refusal)) {
+        (_, Some(advice)) => advised(&advice),
+        (Refusal::Document(diagnostic), None) => {
             let audit = audits.iter().find(|audit| audit.path == path);
             let source = audit.and_then(|audit| audit.sources.last());
             let shown = source.map(|source| render(diagnostic, source, true));
             complain(&shown.unwrap_or_default());
             Outcome::WrongInput
         }
-        Refusal::Program(reason) => wrong(
-            &format!("`{evaluator}` cannot be compiled: {reason}"),
-            "let its outputs rest on parameters, angles and functions",
-        ),
-        Refusal::Number(names, reason) => wrong(
-            &format!("`{evaluator}` does not allow this value of {names}: {reason}"),
-            "give another value; where only one evaluator forbids it, `--only` generates the others",
-        ),
+        (_, None) => Outcome::WrongInput,
     }
 }
 
 pub(super) fn unknown(message: &str, name: &str, known: &[String]) -> Outcome {
-    // `CD` is `C_D` rather than `D`.
-    let letters = |own: &str| own.replace('_', "").to_lowercase();
-    let same = known.iter().find(|own| letters(own) == letters(name));
-    let near = same.map(String::as_str);
-    let help = match near.or_else(|| nearest(name, known.iter().map(String::as_str))) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!("there are {}", known.join(", ")),
-    };
-    wrong(message, &help)
+    advised(&Advice::unknown(message, name, known))
+}
+
+fn advised(advice: &Advice) -> Outcome {
+    wrong(&advice.message, &advice.help)
 }

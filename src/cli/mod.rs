@@ -26,7 +26,6 @@ mod partial;
 #[cfg(feature = "stability")]
 mod picture;
 mod progress;
-mod regular_file;
 #[cfg(feature = "stability")]
 mod report;
 mod shell;

@@ -6,6 +6,7 @@ use anstyle::AnsiColor;
 use clap::ValueEnum;
 
 use super::Outcome;
+pub use crate::disk::reason;
 
 /// The width where no terminal says how wide it is.
 const USUAL_WIDTH: usize = 100;
@@ -90,16 +91,4 @@ pub fn width(asked: Option<u16>) -> usize {
     };
     let asked = asked.map(usize::from);
     asked.or_else(terminal).unwrap_or(USUAL_WIDTH)
-}
-
-/// Why a file cannot be read or written, in a few words.
-pub fn reason(error: &io::Error) -> String {
-    match error.kind() {
-        io::ErrorKind::NotFound => "there is no such file or folder".to_owned(),
-        io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
-        io::ErrorKind::AlreadyExists => "it is a file".to_owned(),
-        io::ErrorKind::NotADirectory => "a part of the path is a file".to_owned(),
-        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
-        _ => error.to_string(),
-    }
 }

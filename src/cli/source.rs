@@ -1,11 +1,10 @@
 //! Reading documents from the disk.
 
-use std::cell::RefCell;
 use std::collections::BTreeSet;
-use std::io::{self, ErrorKind, Read};
-use std::path::Path;
+use std::io::{self, Read};
 
-use crate::documents::{ShippedLibrary, resolve, shipped};
+use crate::disk::{Disk, Unread, document, source};
+use crate::documents::{ShippedLibrary, shipped};
 use crate::language::diagnostic::{Diagnostic, DiagnosticKind, SourceFile, render};
 use crate::language::document::MAXIMUM_SIZE;
 use crate::report::refusals::{MOST, Message, Messages};
@@ -13,8 +12,7 @@ use crate::report::words::counted;
 use crate::verdict::audit::{Audit, Library, audit_after};
 
 use super::Outcome;
-use super::output::{complain, reason, wrong};
-use super::regular_file;
+use super::output::{complain, wrong};
 
 /// What became of documents.
 pub struct Audited {
@@ -91,9 +89,16 @@ impl Audited {
                 self.asked.append(&mut disk.asked.into_inner());
             }
             Err(Unread::Text(mistake)) => self.tell(&mistake.0, &mistake.1),
-            Err(Unread::File(message)) => {
-                self.outcome = wrong(&message.message, message.help.as_deref().unwrap_or(""));
-                self.messages.told.push(message);
+            Err(Unread::File(message, help)) => {
+                self.outcome = wrong(&message, help);
+                self.messages.told.push(Message {
+                    path: path.to_string(),
+                    line: 1,
+                    column: 1,
+                    kind: DiagnosticKind::MissingFile.code(),
+                    message,
+                    help: Some(help.to_string()),
+                });
             }
         }
     }
@@ -169,85 +174,22 @@ impl Audited {
     }
 }
 
-/// The documents on the disk, which import each other by paths relative to themselves.
-///
-/// It remembers what it was asked for.
-#[derive(Default)]
-struct Disk {
-    asked: RefCell<BTreeSet<String>>,
-}
-
-impl Library for Disk {
-    fn read(&self, path: &str, from: &str) -> Result<SourceFile, String> {
-        let path = resolve(path, &slashes(from));
-        self.asked.borrow_mut().insert(path.clone());
-        let bytes = bytes_of(&path).map_err(|error| reason(&error))?;
-        SourceFile::from_bytes(path, &bytes).map_err(|error| error.message)
-    }
-}
-
-/// Why nothing is read.
-enum Unread {
-    /// There is no such file, say.
-    File(Message),
-    /// The file is no text.
-    Text(Box<(Diagnostic, SourceFile)>),
-}
-
 /// What stands for standard input where a document is named.
 const STANDARD_INPUT: &str = "-";
 /// How messages call it; what it imports is sought from the folder that one is in.
 const NAME_OF_STANDARD_INPUT: &str = "standard input";
 
 fn read(path: &str) -> Result<SourceFile, Unread> {
-    let (name, bytes) = match path {
-        STANDARD_INPUT => (NAME_OF_STANDARD_INPUT.to_string(), standard_input()),
-        // Spelled as an import would spell it, so that a document that imports itself is recognised.
-        _ => (resolve(&slashes(path), ""), bytes_of(path)),
-    };
-    let bytes = bytes.map_err(|error| Unread::File(unreadable(path, &error)))?;
-    let source = SourceFile::from_bytes(&name, &bytes);
-    source.map_err(|error| {
-        let shown = SourceFile::from_bytes_lossy(&name, &bytes);
-        Unread::Text(Box::new((error, shown)))
-    })
+    match path {
+        STANDARD_INPUT => source(NAME_OF_STANDARD_INPUT.to_string(), path, standard_input()),
+        _ => document(path),
+    }
 }
 
-/// The bytes of a file, and one more than a document may have of a larger one.
-fn bytes_of(path: &str) -> std::io::Result<Vec<u8>> {
-    regular_file::bytes(Path::new(path), MAXIMUM_SIZE as u64 + 1)
-}
-
-/// What is written to the command, within the same limit.
+/// What is written to the command, within the limit of documents.
 fn standard_input() -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let mut limited = io::stdin().lock().take(MAXIMUM_SIZE as u64 + 1);
     limited.read_to_end(&mut bytes)?;
     Ok(bytes)
-}
-
-fn unreadable(path: &str, error: &std::io::Error) -> Message {
-    let is_shipped = shipped().any(|document| document.path == path);
-    let help = match error.kind() {
-        ErrorKind::IsADirectory => "name the documents in it",
-        _ if is_shipped => "this document comes with the command: leave its path away",
-        _ => "name a Markdown document, or none for those that come with the command",
-    };
-    Message {
-        path: path.to_string(),
-        line: 1,
-        column: 1,
-        kind: DiagnosticKind::MissingFile.code(),
-        message: format!("`{path}` cannot be read: {}", reason(error)),
-        help: Some(help.to_string()),
-    }
-}
-
-/// A path with the separator that documents use.
-fn slashes(path: &str) -> String {
-    if cfg!(windows) {
-        path.replace('\\', "/")
-    } else {
-        path.to_owned()
-    }
 }

@@ -4,6 +4,7 @@
 //! [`markdown`] and [`latex`] lay the words out. [`json`] is for programs and shortens nothing.
 //! Curves are rows of a table and figures as well.
 
+pub mod advice;
 #[cfg(feature = "stability")]
 pub mod closeness;
 #[cfg(feature = "stability")]

@@ -10,7 +10,7 @@ use super::page::{Page, read, root};
 use super::steps::{Step, difference, steps};
 
 /// Pages under `docs` that say what is so, and have no commands.
-const WITHOUT_COMMANDS: [&str; 2] = ["docs/adversary.md", "docs/meaning.md"];
+const WITHOUT_COMMANDS: [&str; 3] = ["docs/adversary.md", "docs/meaning.md", "docs/python.md"];
 
 /// Pages beside the documents, whose commands are run as those of guides are.
 const BESIDE_DOCUMENTS: [&str; 2] = ["derivations/README.md", "derivations/cases/README.md"];
@@ -35,8 +35,8 @@ const COMMANDS: [&str; 16] = [
     "mutate",
 ];
 
-/// The languages that a fence of README or a guide may have.
-const LANGUAGES: [&str; 6] = ["c", "console", "markdown", "sextic", "sh", "toml"];
+/// The languages that a fence of README or a guide may have; `python/tests` runs what is Python.
+const LANGUAGES: [&str; 7] = ["c", "console", "markdown", "python", "sextic", "sh", "toml"];
 
 /// Programs that a machine may lack. What needs them is skipped there.
 const OTHER_PROGRAMS: [&str; 2] = ["coqc", "gcc"];

@@ -48,6 +48,7 @@ const ROOMS: [(&str, &[&str]); 10] = [
             "certificate",
             "stability",
             "report",
+            "disk",
             "documents",
         ],
     ),
