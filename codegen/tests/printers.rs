@@ -197,6 +197,11 @@ fn what_cannot_be_written_is_an_error() {
         let twice = [program(&["a"], &["b"]), program(&["a"], &["b"])];
         assert_eq!(error(&twice), Error::Twice("f".into()));
     }
+    // MATLAB would cut it off, without a word.
+    let long = "a".repeat(64);
+    let found = emit(&[program(&[&long], &["b"])], Language::Octave);
+    assert_eq!(found.err(), Some(Error::Long(long.clone(), 63)));
+    assert!(emit(&[program(&[&long[1..]], &["b"])], Language::Octave).is_ok());
 }
 
 #[test]

@@ -214,7 +214,7 @@ fn help(
 /// How it is called.
 fn usage(evaluator: &Evaluator, named: &Named) -> Vec<String> {
     let function = &named.function;
-    let lines = match evaluator.is_constant() {
+    match evaluator.is_constant() {
         true => vec![
             format!("    result = {function}()"),
             String::new(),
@@ -227,8 +227,7 @@ fn usage(evaluator: &Evaluator, named: &Named) -> Vec<String> {
             "numbers or arrays, whose sizes are equal, or 1, in each dimension. The outputs are the".to_owned(),
             "fields of `result`: arrays of the size of all inputs together.".to_owned(),
         ],
-    };
-    lines
+    }
 }
 
 /// What may be given for sines and cosines.
