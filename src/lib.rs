@@ -1,7 +1,7 @@
 //! Derives, audits and compiles closed-form stability criteria, exactly.
 //!
 //! A derivation is a Markdown document. Its equations are judged by exact algebra, and what it derives becomes
-//! programs: text in Rust, C or Python that is proven, and numbers.
+//! programs: text in Rust, C, Python or Octave that is proven, and numbers.
 //!
 //! ```
 //! use sextic::compile::generation::{Order, generate};

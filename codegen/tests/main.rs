@@ -8,6 +8,7 @@ mod documentation;
 mod laws;
 mod literals;
 mod names;
+mod octave;
 mod optimiser;
 mod origins;
 mod pairs;

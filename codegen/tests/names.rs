@@ -93,6 +93,17 @@ fn words_of(text: &str) -> BTreeSet<String> {
     words
 }
 
+/// The words of a file; the messages of Octave are none.
+fn words_of_file(file: &File) -> BTreeSet<String> {
+    if !file.path.ends_with(".m") {
+        return words_of(&file.text);
+    }
+    let lines = file.text.lines().filter(|line| !line.starts_with('%'));
+    let code: String = lines.map(|line| format!("{line}\n")).collect();
+    let outside: Vec<&str> = code.split('"').step_by(2).collect();
+    words_of(&outside.join(" "))
+}
+
 fn is_main(file: &File) -> bool {
     file.path.starts_with("probe")
 }
@@ -110,7 +121,7 @@ fn words(language: Language, name: &str) -> BTreeSet<String> {
             .iter()
             .filter(|file| is_main(file))
         {
-            found.extend(words_of(&file.text));
+            found.extend(words_of_file(file));
         }
     }
     found.retain(|word| !OWN.contains(&word.as_str()));
@@ -180,7 +191,7 @@ fn every_word_of_a_text_is_taken_or_a_quantity() {
                 .iter()
                 .filter(|file| is_main(file))
             {
-                for word in words_of(&file.text) {
+                for word in words_of_file(file) {
                     let is_member = file.text.contains(&format!(".{word}"))
                         || file.text.contains(&format!("::{word}"))
                         || file.text.contains(&format!("{word}="))
@@ -236,7 +247,16 @@ fn what_is_renamed_is_told() {
             vec![("Dispatch", "Dispatch_")],
         ),
         (Language::C, "Math", "q", vec![("Math", "Math_")]),
+        (
+            Language::Octave,
+            "while",
+            "end",
+            vec![("while", "while_"), ("end", "end_")],
+        ),
+        // A file of this name would hide the function.
+        (Language::Octave, "Plot", "plot", vec![("Plot", "Plot_")]),
         (Language::Rust, "probe", "Lanes", vec![]),
+        (Language::Octave, "probe", "values", vec![]),
         (Language::C, "probe", "probe_outputs", vec![]),
     ] {
         let sample = evaluator(
@@ -491,4 +511,66 @@ fn python_runs_under_any_names() {
         .env("PYTHONPATH", &folder);
     let count = consumer::run(&mut python, "");
     assert_eq!(count.trim(), evaluators.len().to_string());
+}
+
+/// Calls a function of Octave with numbers, also by its angles; prints the sums.
+fn calls_of(file: &File) -> String {
+    let function = file.path.trim_end_matches(".m");
+    let given = |kind: &str, value: fn(&str) -> u8| {
+        let start = format!("fitted(shape, {kind}, \"");
+        let fields = file.text.split(&start).skip(1);
+        let fields = fields.filter_map(|rest| rest.split_once('"'));
+        let fields = fields.map(|(field, _)| format!("s.{field} = {}; ", value(field)));
+        fields.collect::<String>()
+    };
+    let call = |fields: String| {
+        let arguments = if fields.is_empty() { "" } else { "s" };
+        format!(
+            "s = struct(); {fields}printf(\"%.0f \", {function}({arguments}).in_all - sqrt(2));\n"
+        )
+    };
+    let of_angles = given("angles", |name| u8::from(name.starts_with("free")));
+    match of_angles.is_empty() {
+        true => call(given("given", |_| 1)),
+        false => call(given("given", |_| 1)) + &call(of_angles),
+    }
+}
+
+/// What Octave says of itself.
+fn known_to_octave(expression: &str) -> BTreeSet<String> {
+    let mut octave = Command::new("octave-cli");
+    let known = format!("printf('%s ', {expression}{{:}})");
+    let known = consumer::run(octave.args(["--quiet", "--norc", "--eval", &known]), "");
+    words_of(&known)
+}
+
+#[test]
+fn octave_runs_under_any_names() {
+    if !consumer::present("octave-cli", &["--version"]) {
+        return;
+    }
+    let mut more = known_to_octave("iskeyword()");
+    if tries_all() {
+        more.extend(known_to_octave("__builtins__()"));
+        more.extend(known_to_octave("__list_functions__()"));
+    }
+    let folder = consumer::folder("names-octave");
+    let files = emit(&probes(Language::Octave, &more), Language::Octave).unwrap();
+    write(&folder, &files);
+    let calls: String = files.iter().map(calls_of).collect();
+    fs::write(folder.join("calls_of_all.m"), format!("1;\n{calls}")).unwrap();
+    let mut octave = Command::new("octave-cli");
+    octave.args(["--quiet", "--norc", "--path"]).arg(&folder);
+    let found = consumer::run(octave.arg(folder.join("calls_of_all.m")), "");
+    let sums: Vec<u64> = found
+        .split_whitespace()
+        .map(|sum| sum.parse().unwrap())
+        .collect();
+    assert!(sums.len() >= files.len());
+    for sum in sums {
+        assert!(
+            (1..2000).any(|count| count * (count + 1) / 2 == sum),
+            "{sum}"
+        );
+    }
 }

@@ -37,6 +37,9 @@ fn one_file_a_language() {
         (Language::Python, "match_.py"),
         (Language::Python, "rod.py"),
         (Language::Python, "__init__.py"),
+        (Language::Octave, "match.m"),
+        (Language::Octave, "quadratic_form.m"),
+        (Language::Octave, "rod.m"),
     ] {
         locked(&format!("{language}-{path}"), text(language, path));
     }
@@ -66,7 +69,7 @@ fn the_same_evaluators_give_the_same_bytes_in_the_order_of_paths() {
 #[test]
 fn nothing_that_a_document_says_leaves_its_comment() {
     let mut evaluator = samples::rod();
-    let nasty = "end */ \"\"\" \\ \n}\r\u{2028}mod x; /* ??/ `";
+    let nasty = "{ end */ \"\"\" \\ \n%{\n}\r\u{2028}mod x; /* ??/ ` -*- texinfo -*- <html";
     evaluator.title = nasty.into();
     evaluator.description = nasty.into();
     evaluator.source = nasty.into();
@@ -133,6 +136,13 @@ fn nothing_that_a_document_says_leaves_its_comment() {
             file.path
         );
     }
+    for file in emit(&evaluators, Language::Octave).unwrap() {
+        let mut outside = file.text.lines().filter(|line| !line.starts_with('%'));
+        assert!(outside.all(|line| !line.contains("mod x") && line.is_ascii()));
+        // A block of comments, or a help text of another kind.
+        let marks = ["\n%{", "-*-", "<html"];
+        assert!(marks.iter().all(|mark| !file.text.contains(mark)));
+    }
 }
 
 #[test]
@@ -187,6 +197,11 @@ fn what_cannot_be_written_is_an_error() {
         let twice = [program(&["a"], &["b"]), program(&["a"], &["b"])];
         assert_eq!(error(&twice), Error::Twice("f".into()));
     }
+    // MATLAB would cut it off, without a word.
+    let long = "a".repeat(64);
+    let found = emit(&[program(&[&long], &["b"])], Language::Octave);
+    assert_eq!(found.err(), Some(Error::Long(long.clone(), 63)));
+    assert!(emit(&[program(&[&long[1..]], &["b"])], Language::Octave).is_ok());
 }
 
 #[test]

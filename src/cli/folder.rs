@@ -11,7 +11,7 @@ use tempfile::NamedTempFile;
 use crate::disk::regular_file;
 
 /// What a line of a comment begins with.
-const COMMENT: [char; 7] = ['/', '*', '!', '#', '"', '(', ' '];
+const COMMENT: [char; 8] = ['/', '*', '!', '#', '"', '(', '%', ' '];
 
 /// What the names of files begin with that have not got their own yet.
 const STAGED: &str = ".sextic-";

@@ -28,10 +28,10 @@ use super::vocabulary::Vocabulary;
 /// Writes what a document derives as source text, proven equal to the derivation
 ///
 /// Every evaluator of the document becomes a file (in C two): a function of named inputs with its
-/// documentation, one for many points at once, and, but for Python, whose functions take arrays anyway, a
-/// twin that bounds its own rounding error. The text is read back by a parser of its own and executed over
-/// the exact algebra of the document before it is written; its header says what was proven and how far its
-/// rounding goes.
+/// documentation, one for many points at once, and a twin that bounds its own rounding error. In Python
+/// and Octave it is one function, which takes arrays. The text is read back by a parser of its own and
+/// executed over the exact algebra of the document before it is written; its header says what was proven
+/// and how far its rounding goes.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
@@ -43,7 +43,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
 
-    /// rust, c or python
+    /// rust, c, python or octave, which is for MATLAB too
     #[arg(long, value_parser = language)]
     language: Language,
 
@@ -310,8 +310,9 @@ fn check(generated: &Generated, arguments: &Arguments) -> Result<Outcome, Outcom
         report += &format!("{name} was generated, but this command does not write it\n");
     }
     for name in others.namesakes {
-        report +=
-            &format!("{name} may be taken for a file of this command by a compiler or Python\n");
+        report += &format!(
+            "{name} may be taken for a file of this command by a compiler, Python or Octave\n"
+        );
     }
     let (outcome, ending) = match is_good {
         true => (

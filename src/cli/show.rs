@@ -1,12 +1,13 @@
 //! `sextic show`: what an expression of a document is.
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
+use crate::derivation::scope::SymbolKind;
 use crate::language::diagnostic::{SourceFile, render};
-use crate::report::{json, text};
+use crate::report::{json, latex, sympy, text};
 
 use super::Outcome;
-use super::output::{Results, complain, finish, width};
+use super::output::{complain, finish, width};
 use super::source::{Audited, audit_one};
 
 /// How messages call what was asked for.
@@ -29,18 +30,33 @@ pub struct Arguments {
     document: Option<String>,
 
     /// How it is written
-    #[arg(long, value_enum, default_value_t = Results::Text)]
-    format: Results,
+    #[arg(long, value_enum, default_value_t = Shape::Text)]
+    format: Shape,
 
     /// How many columns text may fill (at least 40); as many as the terminal has if not given
     #[arg(long, value_name = "COLUMNS", value_parser = clap::value_parser!(u16).range(40..))]
     width: Option<u16>,
 }
 
+/// How an expression is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Shape {
+    /// For a terminal
+    Text,
+    /// For programs
+    Json,
+    /// As mathematics for a formula in LaTeX: the product of factors
+    Latex,
+    /// As Python that SymPy runs: the product of factors
+    Sympy,
+}
+
 const EXAMPLES: &str = "\
 Examples:
   sextic show S_a                        the scaled damping matrix of the paper
   sextic show 'det(M)/m^2' --document mine.md
+  sextic show closed_form.lamda_R1 --format latex   an output of an evaluator, for a paper
+  sextic show closed_form.lamda_R1 --format sympy   the same for a notebook
   sextic show 'd(F_x, x) at rest' --document mine.md --format json | jq -r '.entries[].normal_form'
 
 A document shows the same by a statement, `show det(M)/m^2`, in its audit.
@@ -69,9 +85,14 @@ pub fn run(arguments: &Arguments) -> Outcome {
         }
         Ok(shown) => {
             let path = &audit.path;
+            let scope = &audit.elaborator.scope;
             let written = match arguments.format {
-                Results::Text => text::shown(path, &shown, width(arguments.width)),
-                Results::Json => json::shown(path, &shown),
+                Shape::Text => text::shown(path, &shown, width(arguments.width)),
+                Shape::Json => json::shown(path, &shown),
+                Shape::Latex => latex::equation(&shown),
+                Shape::Sympy => sympy::shown(&shown, &|name| {
+                    scope.kind_of(&name.ascii) == Some(SymbolKind::Imaginary)
+                }),
             };
             finish(&written, outcome)
         }

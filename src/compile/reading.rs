@@ -9,6 +9,7 @@ mod cursor;
 mod infix;
 mod literal;
 pub(super) mod names;
+mod octave;
 mod python;
 mod reader;
 mod rust;
@@ -75,5 +76,6 @@ fn reader(language: Language) -> Reader {
         Language::Rust => rust::READER,
         Language::C => c::READER,
         Language::Python => python::READER,
+        Language::Octave => octave::READER,
     }
 }

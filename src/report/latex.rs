@@ -5,13 +5,13 @@ mod escape;
 use crate::derivation::matching::{Matched, Row};
 use crate::derivation::shown::Shown;
 use crate::language::notation::Notation;
-use crate::language::syntax::Expression;
+use crate::language::syntax::{Expression, Node};
 use crate::verdict::audit::Audit;
 use crate::verdict::claim::{Claim, Verdict};
 
 use super::details::{Extent, details};
 use super::phrase::Phrase;
-use super::shown::{lines, size};
+use super::shown::{left, lines, size};
 use super::summary::Summary;
 use super::{premises, refusals, residuals, words};
 use escape::{Prose, literal};
@@ -34,6 +34,28 @@ const PREAMBLE: &str = r"\documentclass{article}
 /// Writes all verdicts on documents, and what they come to.
 pub fn audits(audits: &[Audit]) -> String {
     document(audits.iter().map(audit))
+}
+
+/// Writes what an expression is as mathematics for a formula: its name, and its value in factors.
+pub fn equation(shown: &Shown) -> String {
+    let value = match shown.scalar() {
+        Some(entry) => entry.factored.clone(),
+        None => entries(shown),
+    };
+    let [left, value] = [left(shown), value].map(|own| Notation::Latex.expression(&own));
+    format!("{left} = {value}\n")
+}
+
+fn entries(shown: &Shown) -> Expression {
+    let entries: Vec<Expression> = shown
+        .entries
+        .iter()
+        .map(|own| own.factored.clone())
+        .collect();
+    let rows = entries
+        .chunks(shown.columns.max(1))
+        .map(<[Expression]>::to_vec);
+    Expression::made(Node::Matrix(rows.collect()))
 }
 
 /// Writes the matchings of documents.

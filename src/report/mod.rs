@@ -44,6 +44,7 @@ pub mod stability;
 #[cfg(feature = "stability")]
 pub mod stability_figure;
 pub mod summary;
+pub mod sympy;
 pub mod text;
 #[cfg(feature = "stability")]
 pub mod trajectory;

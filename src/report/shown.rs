@@ -2,6 +2,7 @@
 
 use crate::derivation::shown::{Entry, Shown};
 use crate::language::notation::Notation;
+use crate::language::syntax::{Expression, Node};
 use crate::language::unit::Unit;
 
 use super::phrase::Phrase;
@@ -36,6 +37,22 @@ pub fn lines(shown: &Shown, notation: Notation) -> Vec<Line> {
     let mut lines: Vec<Line> = entries.collect();
     lines.push(Line::new("conditions", conditions(shown, notation)));
     lines
+}
+
+/// What stands left of its value in an equation: of an evaluator's output the name of that alone.
+pub fn left(shown: &Shown) -> Expression {
+    let own = |asked: &Expression| match &asked.node {
+        Node::Name(name) => name.of_output().map(|(_, output)| Expression::name(output)),
+        _ => None,
+    };
+    let left = match &shown.expression.node {
+        Node::Index(matrix, places) => {
+            let entry = |matrix| Expression::made(Node::Index(Box::new(matrix), places.clone()));
+            own(matrix).map(entry)
+        }
+        _ => own(&shown.expression),
+    };
+    left.unwrap_or_else(|| shown.expression.clone())
 }
 
 /// `a 3×3 matrix`, of what is no single number.

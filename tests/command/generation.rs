@@ -68,6 +68,7 @@ fn what_is_generated_is_proven_and_stays_so() {
         ("rust", "turned.rs"),
         ("c", "turned.c"),
         ("python", "turned.py"),
+        ("octave", "turned.m"),
     ] {
         let out = folder(&format!("fresh-{language}"));
         let made = generate(&plate, &out, &["--language", language]);
@@ -84,6 +85,7 @@ fn what_is_generated_is_proven_and_stays_so() {
 
         let text = fs::read_to_string(out.join(file)).expect("a file of its name");
         let wrong = text.replacen("h * sin_beta", "h / sin_beta", 1);
+        let wrong = wrong.replacen("h .* sin_beta", "h ./ sin_beta", 1);
         assert_ne!(wrong, text);
         fs::write(out.join(file), &wrong).expect("a corrupt file");
         let checked = generate(&plate, &out, &["--language", language, "--check"]);
@@ -349,6 +351,7 @@ fn what_is_all_fixed_is_a_function_of_nothing() {
         ),
         ("c", "ratios.c", "ratios_outputs ratios(void)"),
         ("python", "ratios.py", "def ratios() -> RatiosOutputs:"),
+        ("octave", "ratios.m", "function result = ratios()"),
     ] {
         let out = folder(&format!("all-{language}"));
         let order = [

@@ -1,5 +1,6 @@
 //! `sextic show`, and `show` as a statement, as a user sees them.
 
+use std::process::Command;
 use std::sync::OnceLock;
 
 use serde_json::{Value, json};
@@ -188,4 +189,119 @@ fn a_statement_that_shows_what_has_no_value_is_a_mistake() {
     assert!(plain.contains("show-wrong.md:5:6"), "{plain}");
     assert!(plain.contains("show-wrong.md:6:6"), "{plain}");
     assert!(out.contains("✓ holds"), "{out}");
+}
+
+/// Names that Python needs itself, or SymPy has, beside everything that a normal form is made of.
+const ODD: &str = "
+imaginary i
+complex λ : 1
+angle β
+parameter pass, class, sympy, S, E : 1 > 0
+coordinate y_d : 1
+function C at β : 1
+odd := 1/2*pass*class^2/(3*sympy) + 2/3*S*sqrt(1 + E)
+mixed := [dt(y_d)*C', dt(dt(y_d))*C(2*β); 0, i*λ*cos(β)]";
+
+/// Where numbers stand for names, in the words of a document and of SymPy.
+const POINT: [(&str, &str); 7] = [
+    ("pass", "2"),
+    ("class", "3"),
+    ("sympy", "5/7"),
+    ("S", "1/11"),
+    ("E", "8"),
+    ("a", "13"),
+    ("b", "17/3"),
+];
+
+#[test]
+fn sympy_runs_what_it_is_given() {
+    let found = Command::new("python3")
+        .args(["-c", "import sympy"])
+        .output();
+    if !found.is_ok_and(|output| output.status.success()) {
+        eprintln!("SKIPPED: python3 -c 'import sympy' does not run here");
+        return;
+    }
+    let path = document("show-odd.md", &block(ODD));
+    let path = path.to_str().expect("a path");
+    let ask = |expression: &str, format| {
+        let (status, out, errors) =
+            run(&["show", expression, "--document", path, "--format", format]);
+        assert_eq!((status, errors.as_str()), (Some(0), ""), "{expression}");
+        out
+    };
+    let places: Vec<String> = POINT
+        .iter()
+        .map(|(name, value)| format!("{name} = {value}"))
+        .collect();
+    for expression in [
+        "odd",
+        "class",
+        "-1/2",
+        "-(a - b)^2/(3*class*a^2) + 1/pass^3",
+        "2/3*pass - E/7",
+    ] {
+        let script = ask(expression, "sympy");
+        let wanted = ask(
+            &format!("({expression}) at ({})", places.join(", ")),
+            "json",
+        );
+        let wanted: Value = serde_json::from_str(&wanted).expect("JSON");
+        let wanted = wanted["entries"][0]["normal_form"]
+            .as_str()
+            .expect("a text")
+            .to_owned();
+        let check = format!(
+            "value = list(globals().values())[-1]
+point = {{sympy.Symbol(name): sympy.Rational(number) for name, number in {POINT:?}}}
+found, wanted = sympy.S(value).subs(point), sympy.sympify({wanted:?})
+assert not found.has(sympy.Float) and found == wanted, (value, found, wanted)
+"
+        );
+        let script = script + &check;
+        let output = Command::new("python3").args(["-c", &script]).output();
+        let output = output.expect("it runs");
+        let messages = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{script}\n{messages}");
+    }
+}
+
+#[test]
+fn latex_and_sympy_are_text_to_paste() {
+    let path = document("show-odd.md", &block(ODD));
+    let path = path.to_str().expect("a path");
+    for (expression, format, expected) in [
+        ("a/(2*b)", "latex", "\\frac{a}{2\\,b} = \\frac{a}{2\\,b}\n"),
+        (
+            "a/(2*b)",
+            "sympy",
+            "import sympy\n\na = sympy.Symbol(\"a\")\nb = sympy.Symbol(\"b\")\nvalue = a/(2*b)\n",
+        ),
+        (
+            "pass/3*dt(y_d)",
+            "sympy",
+            "import sympy\n\npass_ = sympy.Symbol(\"pass\")\ndt_y_d = sympy.Symbol(\"dt(y_d)\")\n\
+             value = pass_*dt_y_d/3\n",
+        ),
+        (
+            "mixed",
+            "sympy",
+            "import sympy\n\ndt_y_d = sympy.Symbol(\"dt(y_d)\")\ndC = sympy.Symbol(\"dC\")\n\
+             dt_dt_y_d = sympy.Symbol(\"dt(dt(y_d))\")\nbeta = sympy.Symbol(\"beta\")\n\
+             lamda = sympy.Symbol(\"lamda\")\nmixed = sympy.Matrix([\n    [dt_y_d*dC, \
+             dt_dt_y_d*sympy.Function(\"C\")(2*beta)],\n    [0, \
+             sympy.I*lamda*sympy.cos(beta)],\n])\n",
+        ),
+        ("1/3", "sympy", "import sympy\n\nvalue = sympy.S(1)/3\n"),
+        (
+            "[a, 0; 1, b]",
+            "latex",
+            "\\begin{bmatrix} a & 0 \\\\ 1 & b \\end{bmatrix} = \\begin{bmatrix} a & 0 \\\\ 1 & b \\end{bmatrix}\n",
+        ),
+    ] {
+        let (status, out, errors) =
+            run(&["show", expression, "--document", path, "--format", format]);
+        assert_eq!((status, errors.as_str()), (Some(0), ""), "{expression}");
+        assert_eq!(out, expected, "{expression}");
+    }
 }

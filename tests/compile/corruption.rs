@@ -258,3 +258,8 @@ fn corrupt_c_is_refused() {
 fn corrupt_python_is_refused() {
     corrupt_all(Language::Python);
 }
+
+#[test]
+fn corrupt_octave_is_refused() {
+    corrupt_all(Language::Octave);
+}

@@ -165,6 +165,14 @@ impl Text<'_> {
         &self.text[token.clone()]
     }
 
+    /// The signs of operations; in Octave those of matrices are others.
+    fn operators(&self) -> &'static [&'static str] {
+        match self.language {
+            Language::Octave => &["+", "-", ".*", "./", "*", "/"],
+            _ => &["+", "-", "*", "/"],
+        }
+    }
+
     fn of_body(&self, body: &Range<usize>, is_calls: bool, edits: &mut Vec<Edit>) {
         let inside = |token: &&Range<usize>| body.contains(&token.start);
         let tokens: Vec<&Range<usize>> = self.tokens.iter().filter(inside).collect();
@@ -182,12 +190,11 @@ impl Text<'_> {
                 variables.push(word);
                 continue;
             }
-            if ["+", "-", "*", "/"].contains(&word) {
-                let others = ["+", "-", "*", "/"]
-                    .into_iter()
-                    .filter(|other| *other != word);
-                edits.extend(others.map(|other| Edit::one(Kind::Operator, token, other)));
-                if word == "-" && ["(", ",", "=", ":", "*", "/", "+", "-"].contains(&before) {
+            if self.operators().contains(&word) {
+                let others = self.operators().iter().filter(|other| **other != word);
+                edits.extend(others.map(|other| Edit::one(Kind::Operator, token, *other)));
+                let is_behind = ["(", ",", "=", ":"].contains(&before);
+                if word == "-" && (is_behind || self.operators().contains(&before)) {
                     edits.push(Edit::one(Kind::Sign, token, ""));
                 }
             }
@@ -238,6 +245,7 @@ impl Text<'_> {
                 Language::Rust => ["{", ",", ":"].contains(&before) && after == ",",
                 Language::C => before == "=" && after == ",",
                 Language::Python => before == "(" && after == ",",
+                Language::Octave => before == "=" && after == ";",
             };
             if place >= self.outputs_begin(&tokens) && is_result {
                 results.push((*token).clone());
@@ -272,6 +280,7 @@ impl Text<'_> {
                 .any(|end| self.at(token).ends_with(end)),
             Language::C => self.at(token) == "return",
             Language::Python => ["shape", "return"].contains(&self.at(token)),
+            Language::Octave => ["values", "inputs"].contains(&self.at(token)),
         };
         let found = tokens.iter().position(is_begin);
         found.unwrap_or(tokens.len())
@@ -358,6 +367,7 @@ fn tokens(text: &str, language: Language) -> Vec<Range<usize>> {
         let comment = match language {
             Language::Rust if rest.starts_with("//") => rest.find('\n'),
             Language::C if rest.starts_with("/*") => rest.find("*/").map(|end| end + 2),
+            Language::Octave if rest.starts_with('%') => rest.find('\n'),
             Language::Python if rest.starts_with("\"\"\"") => {
                 rest[3..].find("\"\"\"").map(|end| end + 6)
             }
@@ -381,6 +391,7 @@ fn tokens(text: &str, language: Language) -> Vec<Range<usize>> {
             }
             _ if is_part(first) => word(rest),
             '-' if rest.starts_with("->") => 2,
+            '.' if rest.starts_with(".*") || rest.starts_with("./") => 2,
             '"' => rest[1..].find('"').map_or(1, |end| end + 2),
             _ => first.len_utf8(),
         };
@@ -421,6 +432,7 @@ fn bodies(file: &File, language: Language) -> Vec<(Range<usize>, bool)> {
             let end = text.rfind("\"\"\"").map_or(0, |end| end + 3);
             vec![Some((end..text.len(), false))]
         }
+        Language::Octave => vec![of("= computed(given)\n", "\nend\n", false)],
     };
     found.into_iter().flatten().collect()
 }
@@ -431,6 +443,7 @@ fn door(text: &str, language: Language) -> Option<Range<usize>> {
         Language::Rust => ("Self {\n", "\n    }\n}\n"),
         Language::C => ("_angles *angles)\n{", "\n}\n"),
         Language::Python => ("        \"\"\"\n        ", "\n        )\n"),
+        Language::Octave => ("inputs = struct();\n", "\nend\n"),
     };
     let start = text.find(begin)? + begin.len();
     Some(start..start + text[start..].find(end)?)

@@ -5,6 +5,7 @@ mod corruption;
 mod edits;
 mod fixing;
 mod freshness;
+mod octave;
 mod proof;
 mod translation;
 

@@ -163,11 +163,19 @@ fn variables_with_another_meaning_are_refused() {
         (Language::Python, "MatchOutputs"),
         (Language::Python, "np"),
         (Language::Python, "shape"),
+        (Language::Octave, "given"),
+        (Language::Octave, "square_root"),
+        (Language::Octave, "double"),
+        (Language::Octave, "end"),
     ] {
         let replacements = match language {
             Language::Rust => [("let a = ", "let NAME = "), ("a + lambda", "NAME + lambda")],
             Language::C => [
                 ("double a = ", "double NAME = "),
+                ("a + lambda", "NAME + lambda"),
+            ],
+            Language::Octave => [
+                ("    a = double", "    NAME = double"),
                 ("a + lambda", "NAME + lambda"),
             ],
             Language::Python => [
@@ -238,6 +246,12 @@ fn a_doubt_says_where_and_what() {
             "I = a + lambda_ + b * b",
             "I = a + lambda_ + b ** b",
             "match_.py, line LINE: `**` stands where the end of the line is expected",
+        ),
+        (
+            Language::Octave,
+            "I = a + lambda + b .* b",
+            "I = a + lambda + b * b",
+            "match.m, line LINE: `*` stands where `;` is expected",
         ),
         (
             Language::Rust,
@@ -365,6 +379,27 @@ fn nothing_is_hidden_from_a_reader() {
             "        np.shape(inputs.a),\n",
             "        np.shape(inputs.a),\n        \"\"\"x\"\"\"\n",
         ),
+        (Language::Octave, "b .* b;", "b .* b; a = b;"),
+        (Language::Octave, "b .* b;", "b .* b,"),
+        (Language::Octave, "b .* b;", "b .* b\n;"),
+        (Language::Octave, "b .* b;", "b ...\n    .* b;"),
+        (Language::Octave, "b .* b;", "b .* b';"),
+        (Language::Octave, "b .* b;", "b .* b; # no comment"),
+        (Language::Octave, "a + lambda", "a\n    + lambda"),
+        (Language::Octave, "    I = a", "    I += a"),
+        (Language::Octave, "    I = a", "    %{\n    I = a"),
+        (
+            Language::Octave,
+            "    I = a",
+            "    % x\r    b = a;\n    I = a",
+        ),
+        (Language::Octave, "double(given.b)", "single(given.b)"),
+        (Language::Octave, "double(given.b)", "double(given.a)"),
+        (
+            Language::Octave,
+            "spread(values.I, shape)",
+            "spread(values.I, [1, 1])",
+        ),
         (
             Language::Rust,
             "use super::lanes::Lanes;",
@@ -462,6 +497,11 @@ fn comments_are_free() {
             "\"\"\"a = \\\"\"\" b\"\"\"",
         ),
         (Language::Rust, "/// No unit.", "/// \" /* ' #[cfg(any())]"),
+        (
+            Language::Octave,
+            "% What is derived;",
+            "% a = b; %{ ' \" ...",
+        ),
     ] {
         assert_eq!(sample.judged(language, &[(old, new)]), Ok(()), "{language}");
     }
@@ -498,6 +538,7 @@ fn written(language: Language, statements: &str, literal: &str) -> Vec<File> {
                 "let I = b.multiply_add(b, a + lambda);",
             )],
             Language::Python => &[("I = a + lambda_\n", "I = a + lambda_ + b * b\n")],
+            Language::Octave => &[("I = a + lambda;", "I = a + lambda + b .* b;")],
             Language::C => &[
                 (
                     "const double I_ = a + lambda;",
@@ -517,6 +558,10 @@ fn written(language: Language, statements: &str, literal: &str) -> Vec<File> {
                 .map(|name| match (language, new.contains("sextic_")) {
                     (Language::Rust, _) => format!("let {name} = T::constant({literal});\n    "),
                     (Language::Python, _) => format!("{name} = {literal}\n    "),
+                    // The usual signs are those of matrices.
+                    (Language::Octave, _) => {
+                        format!("{name} = {};\n    ", literal.replace(" *", " .*"))
+                    }
                     (_, false) => format!("const double {name} = {literal};\n    "),
                     (_, true) => {
                         format!("const sextic_bounded {name} = sextic_exact({literal});\n    ")
@@ -624,6 +669,12 @@ fn angles_are_followed() {
             ("angles.a", "angles.beta", false),
             ("angles->a,", "angles->beta,", false),
             ("angles->alpha", "angles->beta", false),
+            ("double(angles.alpha)", "double(angles.beta)", false),
+            (
+                "fitted(shape, angles, \"beta\")",
+                "fitted(shape, angles, \"alpha\")",
+                false,
+            ),
             ("angles.alpha", "angles.beta", false),
             ("np.asarray(alpha,", "np.asarray(beta,", false),
             ("cls(", "RodInputs(", false),
@@ -661,13 +712,15 @@ proptest! {
     fn any_body_is_read(words in prop::collection::vec(prop::sample::select(vec![
         "a", "b", "let", "const", "double", "=", ";", "+", "-", "*", "/", "(", ")", "{", "}", ".", ",", "::",
         "1.0", "sqrt", "sextic_add", "sextic_exact", "T", "constant", "multiply_add", "inputs", "\n", "\n    ",
-        "return", "np", "shape", "/*", "//", "\"", "\\", "'", "#",
+        "return", "np", "shape", "/*", "//", "\"", "\\", "'", "#", ".*", "./", "double", "given", "%", "%{",
+        "...", "values",
     ]), 0..60)) {
         let sample = Sample::new();
         for (language, end) in [
             (Language::Rust, "let a = inputs.a;"),
             (Language::C, "const double a = inputs->a;"),
             (Language::Python, "a = np.asarray(inputs.a, dtype=np.float64)"),
+            (Language::Octave, "a = double(given.a);"),
         ] {
             let mut files = sample.files(language);
             for file in &mut files {
@@ -686,6 +739,7 @@ fn deep_and_long_texts_are_refused() {
         (Language::C, "a + lambda + b * b"),
         (Language::C, "sextic_multiply(b, b)"),
         (Language::Python, "a + lambda_ + b * b"),
+        (Language::Octave, "a + lambda + b .* b"),
     ] {
         for (open, middle, close) in [
             ("(", "a", ")"),

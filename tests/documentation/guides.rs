@@ -36,10 +36,12 @@ const COMMANDS: [&str; 16] = [
 ];
 
 /// The languages that a fence of README or a guide may have; `python/tests` runs what is Python.
-const LANGUAGES: [&str; 7] = ["c", "console", "markdown", "python", "sextic", "sh", "toml"];
+const LANGUAGES: [&str; 8] = [
+    "c", "console", "markdown", "matlab", "python", "sextic", "sh", "toml",
+];
 
 /// Programs that a machine may lack. What needs them is skipped there.
-const OTHER_PROGRAMS: [&str; 2] = ["coqc", "gcc"];
+const OTHER_PROGRAMS: [&str; 3] = ["coqc", "gcc", "octave-cli"];
 
 /// The command line that runs all tests, in README as in `.ci/run`.
 const TESTS: &str = "cargo test --workspace --features parquet";

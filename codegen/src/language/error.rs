@@ -7,6 +7,8 @@ use std::fmt;
 pub enum Error {
     /// A name is no ASCII identifier.
     Name(String),
+    /// A name has more letters than a language keeps; how many it keeps.
+    Long(String, usize),
     /// A name occurs twice among the inputs, the outputs or the evaluators.
     Twice(String),
     /// The names of two evaluators differ in nothing but underscores and the case of letters, which their
@@ -31,6 +33,10 @@ impl fmt::Display for Error {
                 f,
                 "{name:?} is no name in an emitted text: it needs a letter of ASCII first, then \
                  letters, digits and _"
+            ),
+            Error::Long(name, most) => write!(
+                f,
+                "{name:?} is longer than the {most} letters of a name that are kept"
             ),
             Error::Twice(name) => write!(f, "the name {name:?} occurs twice"),
             Error::Alike(one, other) => write!(

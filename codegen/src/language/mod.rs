@@ -11,6 +11,7 @@ pub mod literal;
 mod named;
 pub mod names;
 pub mod notation;
+pub mod octave;
 mod printer;
 pub mod python;
 pub mod rust;
@@ -40,11 +41,18 @@ pub enum Language {
     C,
     /// Python with NumPy.
     Python,
+    /// Octave and MATLAB.
+    Octave,
 }
 
 impl Language {
     /// All of them.
-    pub const ALL: [Language; 3] = [Language::Rust, Language::C, Language::Python];
+    pub const ALL: [Language; 4] = [
+        Language::Rust,
+        Language::C,
+        Language::Python,
+        Language::Octave,
+    ];
 
     /// What it is called on the command line.
     pub const fn name(self) -> &'static str {
@@ -61,6 +69,7 @@ impl Language {
             Language::Rust => &rust::PRINTER,
             Language::C => &c::PRINTER,
             Language::Python => &python::PRINTER,
+            Language::Octave => &octave::PRINTER,
         }
     }
 }

@@ -100,6 +100,11 @@ pub trait Notation {
 
 /// The usual signs between two values, with as few parentheses as keep the order of evaluation.
 pub fn infix(sign: Sign, left: &Text, right: &Text) -> Text {
+    infix_by(["*", "/"], sign, left, right)
+}
+
+/// The same where the signs of products and quotients are these.
+pub fn infix_by(products: [&str; 2], sign: Sign, left: &Text, right: &Text) -> Text {
     // x + (−2) is x − 2, to the bit.
     if let (Sign::Add | Sign::Subtract, Some(decimal)) = (sign, &right.decimal)
         && decimal.is_negative()
@@ -109,13 +114,14 @@ pub fn infix(sign: Sign, left: &Text, right: &Text) -> Text {
             _ => Sign::Add,
         };
         let negated = decimal.negated();
-        return infix(opposite, left, &Text::new(negated.text, Binding::Atom));
+        let negated = Text::new(negated.text, Binding::Atom);
+        return infix_by(products, opposite, left, &negated);
     }
     let (sign, outer, inner) = match sign {
         Sign::Add => ("+", Binding::Sum, Binding::Product),
         Sign::Subtract => ("-", Binding::Sum, Binding::Product),
-        Sign::Multiply => ("*", Binding::Product, Binding::Sign),
-        Sign::Divide => ("/", Binding::Product, Binding::Sign),
+        Sign::Multiply => (products[0], Binding::Product, Binding::Sign),
+        Sign::Divide => (products[1], Binding::Product, Binding::Sign),
     };
     let text = format!("{} {sign} {}", left.at_least(outer), right.at_least(inner));
     Text::new(text, outer)

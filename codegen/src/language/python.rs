@@ -18,7 +18,7 @@ const MODULE: &str = include_str!("../../templates/python/module.py.tera");
 const PACKAGE: &str = include_str!("../../templates/python/__init__.py.tera");
 
 /// The keywords, and what was one.
-const KEYWORDS: [&str; 41] = [
+pub const KEYWORDS: [&str; 41] = [
     "False", "None", "True", "and", "as", "assert", "async", "await", "break", "case", "class",
     "continue", "def", "del", "elif", "else", "except", "exec", "finally", "float", "for", "from",
     "global", "if", "import", "in", "is", "lambda", "match", "nonlocal", "not", "or", "pass",

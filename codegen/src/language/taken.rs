@@ -17,8 +17,14 @@ const MADE: [(&str, &str); 3] = [
 /// What stands for anything else that is placed in a template.
 const PLACED: &str = "\u{4}";
 
-/// Where comments begin, and where they end.
-const COMMENTS: [(&str, &str); 3] = [("\"\"\"", "\"\"\""), ("/*", "*/"), ("//", "\n")];
+/// Where comments and texts begin, and where they end; of two that begin at one place the first.
+const COMMENTS: [(&str, &str); 5] = [
+    ("\"\"\"", "\"\"\""),
+    ("/*", "*/"),
+    ("//", "\n"),
+    ("%", "\n"),
+    ("\"", "\""),
+];
 
 /// What a language has taken.
 #[derive(Clone, Copy, Debug)]
@@ -156,8 +162,7 @@ fn bare(template: &str) -> String {
     }
     text = without(&text, &[("{%", "%}")], "");
     text = without(&text, &[("{{", "}}")], PLACED);
-    text = without(&text, &COMMENTS, "\n");
-    without(&text, &[("\"", "\"")], "\"")
+    without(&text, &COMMENTS, "\n")
 }
 
 /// A text with something else for each part from the start to the end of a pair.

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::body::{Door, Reading, Source, Term, Unreadable};
 use super::cursor::Cursor;
-use super::infix::expression;
+use super::infix::{Words, expression};
 use super::literal::decimal;
 use super::names::{Name, Names, quantity};
 use super::reader::Reader;
@@ -116,7 +116,7 @@ impl Notation for Plain {
     const LOAD: (&'static [&'static str], &'static [&'static str]) = (&["inputs", "->"], &[]);
 
     fn value(&self, cursor: &mut Cursor<'_, '_>) -> Result<Term, Unreadable> {
-        expression(cursor, &["sqrt"])
+        expression(cursor, &Words::usual(&["sqrt"]))
     }
 }
 
@@ -128,7 +128,7 @@ impl Notation for Angles {
     const LOAD: (&'static [&'static str], &'static [&'static str]) = (&["angles", "->"], &[]);
 
     fn value(&self, cursor: &mut Cursor<'_, '_>) -> Result<Term, Unreadable> {
-        expression(cursor, &["sqrt"])
+        expression(cursor, &Words::usual(&["sqrt"]))
     }
 }
 

@@ -1,4 +1,4 @@
-//! Expressions with the usual signs, as C and Python have them.
+//! Expressions with the usual signs, as C and Python have them, and with those of elements.
 
 use super::body::{Term, Unreadable};
 use super::cursor::{Cursor, is_word};
@@ -10,7 +10,25 @@ const DEEPEST: usize = 64;
 /// How many numbers and names an expression may have.
 const MOST_OPERANDS: usize = 500;
 
-/// Reads an expression; `root` are the tokens in front of the parenthesis of a square root.
+/// How a language writes what is not the same in all of them.
+pub(super) struct Words<'w> {
+    /// The signs of a product and of a quotient.
+    pub products: [&'w str; 2],
+    /// The tokens in front of the parenthesis of a square root; nothing where there is none.
+    pub root: &'w [&'w str],
+}
+
+impl<'w> Words<'w> {
+    /// The usual signs.
+    pub const fn usual(root: &'w [&'w str]) -> Self {
+        Words {
+            products: ["*", "/"],
+            root,
+        }
+    }
+}
+
+/// Reads an expression.
 ///
 /// Products bind tighter than sums, signs tighter than products; of two of the same kind the left one
 /// comes first.
@@ -18,10 +36,13 @@ const MOST_OPERANDS: usize = 500;
 /// # Errors
 ///
 /// [`Unreadable`] at the first token that belongs to no expression.
-pub(super) fn expression(cursor: &mut Cursor<'_, '_>, root: &[&str]) -> Result<Term, Unreadable> {
+pub(super) fn expression(
+    cursor: &mut Cursor<'_, '_>,
+    words: &Words<'_>,
+) -> Result<Term, Unreadable> {
     let mut reader = Reader {
         cursor,
-        root,
+        words,
         depth: 0,
         operands: 0,
     };
@@ -30,7 +51,7 @@ pub(super) fn expression(cursor: &mut Cursor<'_, '_>, root: &[&str]) -> Result<T
 
 struct Reader<'r, 't, 'a> {
     cursor: &'r mut Cursor<'t, 'a>,
-    root: &'r [&'r str],
+    words: &'r Words<'r>,
     depth: usize,
     operands: usize,
 }
@@ -50,11 +71,12 @@ impl Reader<'_, '_, '_> {
     }
 
     fn product(&mut self) -> Result<Term, Unreadable> {
+        let [times, over] = self.words.products;
         let mut left = self.signed()?;
         loop {
-            left = if self.cursor.accept(&["*"]) {
+            left = if self.cursor.accept(&[times]) {
                 Term::Multiply(Box::new(left), Box::new(self.signed()?))
-            } else if self.cursor.accept(&["/"]) {
+            } else if self.cursor.accept(&[over]) {
                 Term::Divide(Box::new(left), Box::new(self.signed()?))
             } else {
                 return Ok(left);
@@ -78,7 +100,7 @@ impl Reader<'_, '_, '_> {
         if self.cursor.accept(&["("]) {
             return self.in_parentheses();
         }
-        if self.cursor.accept(self.root) {
+        if !self.words.root.is_empty() && self.cursor.accept(self.words.root) {
             self.cursor.expect(&["("])?;
             return Ok(Term::SquareRoot(Box::new(self.in_parentheses()?)));
         }
@@ -126,7 +148,7 @@ mod tests {
     fn read(text: &str) -> Result<String, Unreadable> {
         let tokens = tokens(text, Dialect::C)?;
         let mut cursor = Cursor::new(&tokens);
-        let term = expression(&mut cursor, &["sqrt"])?;
+        let term = expression(&mut cursor, &Words::usual(&["sqrt"]))?;
         cursor.end()?;
         Ok(shown(&term))
     }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::body::{Door, Reading, Source, Unreadable};
 use super::cursor::Cursor;
-use super::infix::expression;
+use super::infix::{Words, expression};
 use super::names::{Name, Names, quantity};
 use super::reader::Reader;
 use super::shape::{Hole, follow, taken};
@@ -13,8 +13,8 @@ use super::token::{Dialect, tokens};
 /// What a module is.
 const MODULE: &str = include_str!("shapes/python.txt");
 
-/// The tokens of a square root.
-const ROOT: [&str; 3] = ["np", ".", "sqrt"];
+/// The usual signs, and the tokens of a square root.
+const WORDS: Words = Words::usual(&["np", ".", "sqrt"]);
 
 /// The start of a line of the function.
 const LINE: &str = "\n    ";
@@ -63,7 +63,7 @@ fn read(text: &str, names: &mut Names) -> Result<(Reading, Door), Unreadable> {
             }
             Hole::Result(place) => {
                 let output = names.outputs[place].quantity.clone();
-                reading.outputs.push((output, expression(cursor, &ROOT)?));
+                reading.outputs.push((output, expression(cursor, &WORDS)?));
                 Ok(())
             }
             Hole::Door => {
@@ -114,7 +114,7 @@ fn statements(
         } else {
             reading
                 .assignments
-                .push((variable, expression(cursor, &ROOT)?));
+                .push((variable, expression(cursor, &WORDS)?));
         }
     }
     Ok(())
@@ -132,7 +132,7 @@ fn source(cursor: &mut Cursor<'_, '_>, asked: &[Name]) -> Result<Source, Unreada
         cursor.expect(&["sin"])?;
     }
     cursor.expect(&["("])?;
-    let angle = expression(cursor, &ROOT)?;
+    let angle = expression(cursor, &WORDS)?;
     cursor.expect(&[")"])?;
     Ok(match is_cosine {
         true => Source::Cosine(angle),

@@ -11,10 +11,11 @@ pub(super) enum Dialect {
     Rust,
     C,
     Python,
+    Octave,
 }
 
-/// A word, a number, a sign, a text in quotation marks, a line for the preprocessor of C, or the start of
-/// a line of Python with its indentation.
+/// A word, a number, a sign, a text in quotation marks, a line for the preprocessor of C, the start of a
+/// line of Octave, or that of a line of Python with its indentation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Token<'a> {
     pub(super) text: &'a str,
@@ -25,12 +26,12 @@ pub(super) struct Token<'a> {
 }
 
 /// Signs of two characters, which are not the same as these characters one by one.
-const LONG: [&str; 17] = [
+const LONG: [&str; 20] = [
     "::", "->", "..", "--", "++", "**", "//", "==", "!=", "<=", ">=", "+=", "-=", "*=", "/=", "&&",
-    "||",
+    "||", ".*", "./", "~=",
 ];
 
-const SHORT: &str = "+-*/=<>&!?.,;:()[]{}'#@|";
+const SHORT: &str = "+-*/=<>&!?.,;:()[]{}'#@|~";
 
 /// The start of a line of Python, as deep as lines go.
 const LINE: &str = "\n                ";
@@ -119,8 +120,11 @@ impl<'a> Scanner<'a> {
 
     fn step(&mut self) -> Result<(), Unreadable> {
         let rest = self.rest();
-        if self.dialect == Dialect::Python && (self.at == 0 || self.text[..self.at].ends_with('\n'))
-        {
+        let is_start = self.at == 0 || self.text[..self.at].ends_with('\n');
+        if self.dialect == Dialect::Octave && is_start {
+            return self.start_of_line();
+        }
+        if self.dialect == Dialect::Python && is_start {
             let indentation = rest.len() - rest.trim_start_matches(' ').len();
             self.skip(indentation);
             let rest = self.rest();
@@ -142,6 +146,24 @@ impl<'a> Scanner<'a> {
         self.sign_or_word()
     }
 
+    /// A line ends a statement, however far it is indented; one without a statement says nothing.
+    fn start_of_line(&mut self) -> Result<(), Unreadable> {
+        let indentation = self.rest().len() - self.rest().trim_start_matches(' ').len();
+        self.at += indentation;
+        if !self.rest().is_empty() && !self.rest().starts_with(['\n', '%']) {
+            let (text, line, start) = (&LINE[..1], self.line, self.at);
+            self.tokens.push(Token { text, line, start });
+        }
+        self.sign_or_word()
+    }
+
+    /// Whether a comment of Octave ends with its line: `%{` alone on one hides those behind it, and to
+    /// some a carriage return ends a line.
+    fn is_line_comment(&self) -> bool {
+        let line = self.rest().lines().next().unwrap_or("");
+        !line.starts_with("%{") && !line.contains('\r')
+    }
+
     fn sign_or_word(&mut self) -> Result<(), Unreadable> {
         let rest = self.rest();
         let Some(first) = rest.chars().next() else {
@@ -150,6 +172,15 @@ impl<'a> Scanner<'a> {
         match (self.dialect, first) {
             (_, '\n') => self.skip(1),
             (_, ' ') => self.at += rest.len() - rest.trim_start_matches(' ').len(),
+            (Dialect::Octave, '%') if self.is_line_comment() => {
+                self.skip(rest.find('\n').unwrap_or(rest.len()));
+            }
+            (Dialect::Octave, '\'' | '#' | '!') => {
+                return Err(self.refuse("a text or a comment of another kind"));
+            }
+            (Dialect::Octave, _) if rest.starts_with("...") => {
+                return Err(self.refuse("a line that is continued"));
+            }
             (Dialect::Rust, '/') if rest.starts_with("//") => {
                 self.skip(rest.find('\n').unwrap_or(rest.len()));
             }
