@@ -11,7 +11,7 @@ use crate::algebra::generator::Generator;
 use crate::algebra::sign::Signs;
 use crate::derivation::condition::Conditions;
 use crate::derivation::elaboration::error::{algebra, sides};
-use crate::derivation::quantity::common_unit;
+use crate::derivation::quantity::{Quantity, common_unit};
 use crate::derivation::scope::{Meaning, SymbolKind};
 use crate::language::built_in;
 use crate::language::diagnostic::{Diagnostic, DiagnosticKind};
@@ -242,11 +242,11 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// A condition under which an evaluator is used must be between real numbers of one unit, and possible.
+    /// A condition under which an evaluator is used must be between real numbers that have an order, and possible.
     pub(super) fn check_condition(&mut self, relation: &Relation) -> Result<(), Diagnostic> {
         self.elaborator.fresh();
         let span = &(relation.left.span.start..relation.right.span.end);
-        let difference = self.right_less_left(relation, span)?;
+        let difference = self.right_less_left_in_si(relation, span)?;
         // Unlike an assumption, it may be about a quotient whose sign nobody knows.
         if !self.is_over_positive(&difference, span)? {
             return Ok(());
@@ -270,18 +270,46 @@ impl Reader<'_> {
         relation: &Relation,
         span: &Span,
     ) -> Result<Fraction, Diagnostic> {
-        let left = self.elaborator.scalar(&relation.left)?;
-        let right = self.elaborator.scalar(&relation.right)?;
+        let (left, right) = self.real_sides(relation)?;
         common_unit(&left.unit, &right.unit)
             .map_err(|error| sides(error, &relation.left, &relation.right, span))?;
-        let ring = &self.elaborator.ring;
+        self.difference(&left, &right, span)
+    }
+
+    /// The same of a condition, in which numbers are in SI units, as those of a domain: a document has no other way to
+    /// write 10 m.
+    fn right_less_left_in_si(
+        &mut self,
+        relation: &Relation,
+        span: &Span,
+    ) -> Result<Fraction, Diagnostic> {
+        let (left, right) = self.real_sides(relation)?;
+        let is_number = |own: &Quantity| own.value.as_constant().is_some();
+        match is_number(&left) || is_number(&right) {
+            true => self.difference(&left, &right, span),
+            false => self.right_less_left(relation, span),
+        }
+    }
+
+    fn real_sides(&mut self, relation: &Relation) -> Result<(Quantity, Quantity), Diagnostic> {
+        let left = self.elaborator.scalar(&relation.left)?;
+        let right = self.elaborator.scalar(&relation.right)?;
         for (side, quantity) in [(&relation.left, &left), (&relation.right, &right)] {
-            if !ring.is_real(&quantity.value) {
+            if !self.elaborator.ring.is_real(&quantity.value) {
                 return Err(algebra(AlgebraError::NotReal, &side.span)
                     .with_label("complex numbers have no order"));
             }
         }
-        let difference = ring.difference(&right.value, &left.value);
+        Ok((left, right))
+    }
+
+    fn difference(
+        &self,
+        left: &Quantity,
+        right: &Quantity,
+        span: &Span,
+    ) -> Result<Fraction, Diagnostic> {
+        let difference = self.elaborator.ring.difference(&right.value, &left.value);
         difference.map_err(|error| algebra(error, span))
     }
 
