@@ -155,8 +155,8 @@ fn with(kind: Kind, room: &mut Points, a: Values<'_>, b: Values<'_>, c: impl Fn(
 
 #[inline(always)]
 fn each(kind: Kind, room: &mut Points, operands: impl Fn(usize) -> [f64; 3]) {
-    for place in 0..POINTS {
+    for (place, value) in room.iter_mut().enumerate() {
         let [a, b, c] = operands(place);
-        room[place] = kind.of(a, b, c);
+        *value = kind.of(a, b, c);
     }
 }

@@ -7,6 +7,9 @@ use sextic_evaluators::*;
 
 use crate::kernel::{Blocks, Kernel, Quantity, Source};
 
+/// Inputs and outputs as slices; whether they have one length.
+type Batch = fn(&[&[f64]], &mut [&mut [f64]]) -> bool;
+
 /// An evaluator, as it is read off its text.
 pub struct Shipped {
     name: &'static str,
@@ -15,7 +18,7 @@ pub struct Shipped {
     origins: &'static [Origin],
     outputs: &'static [(&'static str, &'static str)],
     /// Whether all slices have one length.
-    batch: fn(&[&[f64]], &mut [&mut [f64]]) -> bool,
+    batch: Batch,
     bounded: fn(&[f64]) -> Vec<Bounded>,
 }
 
