@@ -12,6 +12,9 @@ fn specify(statements: &str) -> Result<Specification, Refusal> {
     let source = SourceFile::new("document.md", text);
     let audit =
         audit(&source, &ShippedLibrary).unwrap_or_else(|error| panic!("{:?}", error.diagnostics));
+    if let Some(mistake) = audit.mistakes.first() {
+        return Err(Refusal::Document(Box::new(mistake.diagnostic.clone())));
+    }
     let evaluator = audit.evaluators.last().expect("an evaluator");
     Specification::of(evaluator, &audit, &[])
 }
