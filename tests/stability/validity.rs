@@ -162,7 +162,7 @@ fn held_coordinates_and_calm_air_have_no_map() {
         (
             "zeta_theta = 0",
             "zeta_theta = 0\nfree = [\"y\"]",
-            "need x, y and theta",
+            "whose x, y and theta are free, and not all are",
         ),
     ] {
         let (case, table) = shipped_case("light.toml", &[(old, new)]);
