@@ -158,7 +158,7 @@ fn pictures_are_made_of_the_drawings() {
     };
     for (format, head) in [("png", &b"\x89PNG\r\n"[..]), ("pdf", b"%PDF-")] {
         let (pictures, again) = (draw(format), draw(format));
-        assert!(pictures.len() == 10 && pictures == again, "{format}");
+        assert!(pictures.len() == 12 && pictures == again, "{format}");
         assert!(
             pictures
                 .iter()
