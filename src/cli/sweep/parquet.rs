@@ -10,7 +10,7 @@ use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::column::writer::ColumnCloseResult;
 use parquet::data_type::{ByteArray, ByteArrayType, DoubleType};
 use parquet::errors::ParquetError;
-use parquet::file::metadata::RowGroupMetaData;
+use parquet::file::metadata::{KeyValue, RowGroupMetaData};
 use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesPtr};
 use parquet::file::reader::{ChunkReader, FileReader, SerializedFileReader};
 use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
@@ -26,6 +26,9 @@ use crate::report::columns::{Cells, Column};
 
 use super::messages::{AGAIN, FOLDER, ended, told, unwritable};
 use super::rows::{Sizes, Table, compute};
+
+/// Under this key a file has what tells its computation from others.
+const IDENTITY: &str = "sextic";
 
 /// A part becomes a row group.
 fn groups_at_once() -> Sizes {
@@ -58,7 +61,7 @@ pub(super) fn to_columns(
     }
     let cannot_begin = |error: &io::Error| unwritable(path, error, FOLDER);
     let reserved = Reserved::new(path, identity).map_err(|error| cannot_begin(&error))?;
-    let format = Format::new(&table.columns(0..0));
+    let format = Format::new(&table.columns(0..0), identity);
     let begun = format.and_then(|format| Ok((Groups::new(&reserved, &format)?, format)));
     let (mut groups, format) = begun.map_err(|error| cannot_begin(&error))?;
     let left = groups
@@ -92,13 +95,15 @@ struct Format {
 }
 
 impl Format {
-    /// For columns like these.
-    fn new(columns: &[Column]) -> io::Result<Self> {
+    /// For columns like these, of a computation that is told from others.
+    fn new(columns: &[Column], identity: &str) -> io::Result<Self> {
+        let identity = KeyValue::new(IDENTITY.to_owned(), identity.to_owned());
         // Groups are small enough to be read whole, and one that is copied has no index of its pages.
         let mut properties = WriterProperties::builder()
             .set_dictionary_enabled(false)
             .set_statistics_enabled(EnabledStatistics::Chunk)
-            .set_offset_index_disabled(true);
+            .set_offset_index_disabled(true)
+            .set_key_value_metadata(Some(vec![identity]));
         // Words and the values of axes repeat, and are numbered. Results hardly do.
         for own in columns {
             let path = || ColumnPath::from(own.name.as_str());
@@ -208,18 +213,18 @@ impl Groups {
     }
 }
 
-/// What stands where the rows of a table are to be written.
+/// What stands where a computation is to be written.
 pub(super) enum Standing {
     /// Nothing.
     Absent,
-    /// As many rows as the table has, of which the last is that of the table.
+    /// All of its rows: a file gets its name only when it is whole.
     Whole,
     /// Something else.
     Other,
 }
 
-/// What stands at a path where the rows of a table are to be written.
-pub(super) fn standing(path: &Path, table: &dyn Table) -> io::Result<Standing> {
+/// What stands at a path where a computation is to be written.
+pub(super) fn standing(path: &Path, identity: &str) -> io::Result<Standing> {
     let file = match File::open(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Standing::Absent),
         other => other?,
@@ -227,12 +232,9 @@ pub(super) fn standing(path: &Path, table: &dyn Table) -> io::Result<Standing> {
     let Ok(file) = SerializedFileReader::new(file) else {
         return Ok(Standing::Other);
     };
-    let rows = u64::try_from(file.metadata().file_metadata().num_rows()).unwrap_or(0);
-    let expected = || fields(&table.columns(rows - 1..rows));
-    let is_whole = rows > 0
-        && rows == table.count()
-        && last_row(&file).is_ok_and(|last| last == Some(expected()));
-    Ok(match is_whole {
+    let known = file.metadata().file_metadata().key_value_metadata();
+    let is_own = |own: &KeyValue| own.key == IDENTITY && own.value.as_deref() == Some(identity);
+    Ok(match known.is_some_and(|all| all.iter().any(is_own)) {
         true => Standing::Whole,
         false => Standing::Other,
     })

@@ -11,6 +11,7 @@ use crate::report::columns::Column;
 use super::messages::unwritable;
 use super::parquet::{Standing, standing, to_columns};
 use super::rows::Table;
+use super::written::digest;
 
 /// Which parts of a sweep are computed.
 #[derive(Clone, Copy, Debug)]
@@ -80,13 +81,11 @@ impl Parts {
 impl Part<'_> {
     /// Computes the part, unless it is there.
     fn write(&self, path: &Path, identity: &[String]) -> Result<Outcome, Outcome> {
-        let help = "delete it, or name another folder";
-        match standing(path, self).map_err(|error| unwritable(path, &error, help))? {
-            Standing::Absent => {
-                let own = format!("{:?}", self.rows);
-                let identity: Vec<String> = identity.iter().cloned().chain([own]).collect();
-                to_columns(self, path, &super::written::digest(&identity))
-            }
+        let own = format!("{:?}", self.rows);
+        let identity: Vec<String> = identity.iter().cloned().chain([own]).collect();
+        let (identity, help) = (digest(&identity), "delete it, or name another folder");
+        match standing(path, &identity).map_err(|error| unwritable(path, &error, help))? {
+            Standing::Absent => to_columns(self, path, &identity),
             Standing::Whole => {
                 complain(&format!("{} is there already\n", path.display()));
                 Ok(Outcome::AsExpected)
