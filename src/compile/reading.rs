@@ -14,6 +14,7 @@ mod python;
 mod reader;
 mod rust;
 mod shape;
+mod source;
 mod token;
 
 use sextic_codegen::evaluator::Evaluator;

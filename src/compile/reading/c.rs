@@ -2,13 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use super::body::{Door, Reading, Source, Term, Unreadable};
+use super::body::{Door, Reading, Term, Unreadable};
 use super::cursor::Cursor;
 use super::infix::{Words, expression};
 use super::literal::decimal;
-use super::names::{Name, Names, quantity};
+use super::names::{Name, Names};
 use super::reader::Reader;
 use super::shape::{Hole, follow, taken};
+use super::source::source;
 use super::token::{Dialect, tokens};
 
 /// What a header is.
@@ -90,7 +91,8 @@ fn read_source(text: &str, names: &mut Names) -> Result<([Reading; 2], Door), Un
                 Hole::Door => statements(cursor, &Angles, &names.asked, &taken, &mut door.angles)?,
                 Hole::Source(place) => {
                     let input = names.inputs[place].quantity.clone();
-                    door.inputs.push((input, source(cursor, &names.asked)?));
+                    door.inputs
+                        .push((input, source(cursor, &names.asked, &["angles", "->"])?));
                 }
             }
             Ok(())
@@ -130,28 +132,6 @@ impl Notation for Angles {
     fn value(&self, cursor: &mut Cursor<'_, '_>) -> Result<Term, Unreadable> {
         expression(cursor, &Words::usual(&["sqrt"]))
     }
-}
-
-/// `angles->m`, `cos(alpha + beta)`
-fn source(cursor: &mut Cursor<'_, '_>, asked: &[Name]) -> Result<Source, Unreadable> {
-    if cursor.accept(&["angles", "->"]) {
-        let field = cursor.word()?;
-        return match quantity(asked, field) {
-            Some(name) => Ok(Source::Given(name.to_string())),
-            None => Err(cursor.refuse(&format!("something else behind `{field}`"))),
-        };
-    }
-    let is_cosine = cursor.accept(&["cos"]);
-    if !is_cosine {
-        cursor.expect(&["sin"])?;
-    }
-    cursor.expect(&["("])?;
-    let angle = Angles.value(cursor)?;
-    cursor.expect(&[")"])?;
-    Ok(match is_cosine {
-        true => Source::Cosine(angle),
-        false => Source::Sine(angle),
-    })
 }
 
 /// Calls of the functions of `sextic_bounded.h`.

@@ -2,12 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use super::body::{Door, Reading, Source, Unreadable};
+use super::body::{Door, Reading, Unreadable};
 use super::cursor::Cursor;
 use super::infix::{Words, expression};
-use super::names::{Name, Names, quantity};
+use super::names::{Name, Names};
 use super::reader::Reader;
 use super::shape::{Hole, follow, taken};
+use super::source::source;
 use super::token::{Dialect, tokens};
 
 /// What a function file is.
@@ -70,7 +71,8 @@ fn read(text: &str, names: &mut Names) -> Result<(Reading, Door), Unreadable> {
             }
             Hole::Source(place) => {
                 let input = names.inputs[place].quantity.clone();
-                door.inputs.push((input, source(cursor, &names.asked)?));
+                door.inputs
+                    .push((input, source(cursor, &names.asked, &["angles", "."])?));
                 Ok(())
             }
             Hole::BoundedBody | Hole::BoundedResult(_) => Err(cursor.refuse("one body")),
@@ -109,27 +111,4 @@ fn statements(
         cursor.expect(&[";"])?;
     }
     Ok(())
-}
-
-/// `angles.m`, `cos(alpha + beta)`
-fn source(cursor: &mut Cursor<'_, '_>, asked: &[Name]) -> Result<Source, Unreadable> {
-    if cursor.accept(&["angles", "."]) {
-        let field = cursor.word()?;
-        return match quantity(asked, field) {
-            Some(name) => Ok(Source::Given(name.to_string())),
-            None => Err(cursor.refuse(&format!("something else behind `{field}`"))),
-        };
-    }
-    let is_cosine = cursor.accept(&["cos"]);
-    if !is_cosine {
-        cursor.expect(&["sin"])?;
-    }
-    cursor.expect(&["("])?;
-    // A whole number times an angle: the usual sign is that of elements, too, and no other product passes.
-    let angle = expression(cursor, &Words::usual(&[]))?;
-    cursor.expect(&[")"])?;
-    Ok(match is_cosine {
-        true => Source::Cosine(angle),
-        false => Source::Sine(angle),
-    })
 }

@@ -8,6 +8,7 @@ use super::infix::{Words, expression};
 use super::names::{Name, Names, quantity};
 use super::reader::Reader;
 use super::shape::{Hole, follow, taken};
+use super::source::circular;
 use super::token::{Dialect, tokens};
 
 /// What a module is.
@@ -127,15 +128,5 @@ fn source(cursor: &mut Cursor<'_, '_>, asked: &[Name]) -> Result<Source, Unreada
         return Ok(Source::Given(name.to_string()));
     }
     cursor.expect(&["np", "."])?;
-    let is_cosine = cursor.accept(&["cos"]);
-    if !is_cosine {
-        cursor.expect(&["sin"])?;
-    }
-    cursor.expect(&["("])?;
-    let angle = expression(cursor, &WORDS)?;
-    cursor.expect(&[")"])?;
-    Ok(match is_cosine {
-        true => Source::Cosine(angle),
-        false => Source::Sine(angle),
-    })
+    circular(cursor, &WORDS)
 }
