@@ -191,7 +191,12 @@ impl Document {
                 Advice::unknown(message, &name, &known).into()
             }
             Why::Refused(evaluator, _, refusal) => refused(&self.audit, &evaluator, refusal),
-            _ => self.nothing(),
+            Why::NoEvaluator => self.nothing(),
+            other => Advice::new(
+                other.to_string(),
+                "this is a mistake of the program: please report the document",
+            )
+            .into(),
         }
     }
 }

@@ -11,7 +11,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/he-macdonald-2017.md`
 //! - SHA-256 of the document:
-//!   `5ff8750cfc8c594de2a89e5ad0b9e3f030ea7acb51fd702c8839289cfbad4ff7`
+//!   `e9307206a7891974f824346540dc40ea6a87a913a3eb28ee53ebe3cbc0a0de7f`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -321,7 +321,7 @@ pub fn closed_form_in_wind_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/he-macdonald-2017.md`
 /// - SHA-256 of the document:
-///   `5ff8750cfc8c594de2a89e5ad0b9e3f030ea7acb51fd702c8839289cfbad4ff7`
+///   `e9307206a7891974f824346540dc40ea6a87a913a3eb28ee53ebe3cbc0a0de7f`
 #[must_use]
 pub fn closed_form_in_wind(inputs: &ClosedFormInWindInputs<f64>) -> ClosedFormInWindOutputs<f64> {
     closed_form_in_wind_body(inputs)

@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/uniform.md`
 //! - SHA-256 of the document:
-//!   `8ed62c24180f11d867a987c66f1377fa89c06071df65c573b032cbac3ff2f0ed`
+//!   `b9d82abd23aed56d7f41be035418b62cf8ec4fd236aa609c3ecb98306318df33`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -372,7 +372,7 @@ pub fn modal_damping_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/uniform.md`
 /// - SHA-256 of the document:
-///   `8ed62c24180f11d867a987c66f1377fa89c06071df65c573b032cbac3ff2f0ed`
+///   `b9d82abd23aed56d7f41be035418b62cf8ec4fd236aa609c3ecb98306318df33`
 #[must_use]
 pub fn modal_damping(inputs: &ModalDampingInputs<f64>) -> ModalDampingOutputs<f64> {
     modal_damping_body(inputs)

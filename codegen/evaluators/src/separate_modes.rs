@@ -8,7 +8,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/uniform.md`
 //! - SHA-256 of the document:
-//!   `8ed62c24180f11d867a987c66f1377fa89c06071df65c573b032cbac3ff2f0ed`
+//!   `b9d82abd23aed56d7f41be035418b62cf8ec4fd236aa609c3ecb98306318df33`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -100,7 +100,7 @@ pub fn separate_modes_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/uniform.md`
 /// - SHA-256 of the document:
-///   `8ed62c24180f11d867a987c66f1377fa89c06071df65c573b032cbac3ff2f0ed`
+///   `b9d82abd23aed56d7f41be035418b62cf8ec4fd236aa609c3ecb98306318df33`
 #[must_use]
 pub fn separate_modes(inputs: &SeparateModesInputs<f64>) -> SeparateModesOutputs<f64> {
     separate_modes_body(inputs)

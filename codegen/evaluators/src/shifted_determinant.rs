@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/exact-modes.md`
 //! - SHA-256 of the document:
-//!   `d79534f3f35e8c4271b6f3cf7ef752bba32d2919de5c47791cdb0c8e2b9ff1ea`
+//!   `cbac5836d1b0f0829bc8a47636794d7ea1af0b058ab6ff2cdd99b0f2546b991f`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -209,7 +209,7 @@ pub fn shifted_determinant_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/exact-modes.md`
 /// - SHA-256 of the document:
-///   `d79534f3f35e8c4271b6f3cf7ef752bba32d2919de5c47791cdb0c8e2b9ff1ea`
+///   `cbac5836d1b0f0829bc8a47636794d7ea1af0b058ab6ff2cdd99b0f2546b991f`
 #[must_use]
 pub fn shifted_determinant(inputs: &ShiftedDeterminantInputs<f64>) -> ShiftedDeterminantOutputs<f64> {
     shifted_determinant_body(inputs)

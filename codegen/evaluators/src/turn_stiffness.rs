@@ -9,7 +9,7 @@
 //! - Command: `sextic generate --out DIR --language rust`
 //! - Document: `derivations/extensions.md`
 //! - SHA-256 of the document:
-//!   `65e5931d1728a07be540531d47d4ec21a4ab7a6de0fe27eaa7ab8617e133d8ab`
+//!   `7eecfcbc79b409990c022513b1dc92306e1f89d80570cd68247235384fb20d93`
 #![allow(non_snake_case)]
 
 use super::arithmetic::Arithmetic;
@@ -209,7 +209,7 @@ pub fn turn_stiffness_body<T: Arithmetic>(
 /// - Command: `sextic generate --out DIR --language rust`
 /// - Document: `derivations/extensions.md`
 /// - SHA-256 of the document:
-///   `65e5931d1728a07be540531d47d4ec21a4ab7a6de0fe27eaa7ab8617e133d8ab`
+///   `7eecfcbc79b409990c022513b1dc92306e1f89d80570cd68247235384fb20d93`
 #[must_use]
 pub fn turn_stiffness(inputs: &TurnStiffnessInputs<f64>) -> TurnStiffnessOutputs<f64> {
     turn_stiffness_body(inputs)
